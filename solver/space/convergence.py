@@ -12,7 +12,7 @@ from ..scenes.parameter_error import whole
 from .attached import Attached
 from .eigenvalues import secular
 from .eigenvalues.exact import ExactModes, exact_modes, of_frequency
-from .expansions.methods import available, bare_modes, check_order, shown
+from .expansions.methods import bare_modes, check_order, shown
 from .expansions.shapes import Shape, jump_mismatch, shape_of
 
 #: Relative error of an eigenvalue below which rounding, and not the expansion, is seen.
@@ -193,7 +193,7 @@ def convergence(
 def _row(attached: Attached, line: Line, order: int, number: int) -> ConvergenceRow:
     bare = bare_modes(attached, line.method, order, line.forced)
     head = ConvergenceRow(line.method, line.forced, order, bare.unknowns)
-    if available(attached, bare) < number:
+    if bare.count < number:
         return head
     roots = secular.eigenvalues(bare, attached, number)
     exact, i = exact_modes(attached, number), number - 1

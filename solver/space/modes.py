@@ -1,7 +1,7 @@
 """The modes of a structure with an attachment, by one of three expansions."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, overload
 
@@ -16,7 +16,6 @@ from .eigenvalues.exact import ExactModes, exact_modes, of_frequency
 from .expansions.bare import BareModes
 from .expansions.methods import (
     HIGHEST,
-    available,
     bare_modes,
     check_count,
     check_forced,
@@ -65,9 +64,6 @@ class Modes(Tabular, Sequence[Mode]):
 
     def __len__(self) -> int:
         return len(self.found)
-
-    def __iter__(self) -> Iterator[Mode]:
-        return iter(self.found)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Modes) and self.as_dict() == other.as_dict()
@@ -254,7 +250,7 @@ def at_order(attached: Attached, method: str, order: int, K: int, count: int | N
         If the order is out of range, or there are fewer modes than wanted.
     """
     bare = bare_modes(attached, method, check_order(method, order), K)
-    wanted = check_count(available(attached, bare), count, COUNT, method, order)
+    wanted = check_count(bare.count, count, COUNT, method, order)
     roots = secular.eigenvalues(bare, attached, wanted)
     exact = exact_modes(attached, wanted)
     low = np.full(wanted, np.nan)

@@ -12,27 +12,23 @@ STEPS = 1200
 EPS = float(np.finfo(float).eps)
 
 
-def bracketed(
-    function: Callable[[Vector], Vector],
-    low: Vector, high: Vector, at_low: Vector, at_high: Vector,
-) -> Vector:  # fmt: skip
-    """Return a root between each `low` and `high`, to a rounding error of itself.
+def bracketed(function: Callable[[Vector], Vector], end: Vector) -> Vector:
+    """Return a root between 0 and each `end`, to a rounding error of itself.
 
     Parameters
     ----------
     function : callable
-        Takes a point a root, shape (n,), and returns the values there.
-    low, high : ndarray, shape (n,)
-        The ends; one of them may be 0, where the function is not called.
-    at_low, at_high : ndarray, shape (n,)
-        The values there, of different signs; a value of 0 is a root.
+        Takes a point a root, shape (n,), and returns the values there: of different signs at
+        0 and at the end; a value of 0 is a root.
+    end : ndarray, shape (n,)
 
     Notes
     -----
     T. R. Chandrupatla, Adv. Eng. Software 28 (1997) 145-149: inverse quadratic interpolation
     where three points are fit for it, else bisection.
     """
-    a, b, fa, fb = high.copy(), low.copy(), at_high.copy(), at_low.copy()
+    a, b = end.copy(), np.zeros_like(end)
+    fa, fb = function(a), function(b)
     t = np.full(a.shape, 0.5)
     found, sought = np.where(np.abs(fa) < np.abs(fb), a, b), (fa != 0) & (fb != 0)
     for _ in range(STEPS):

@@ -54,11 +54,6 @@ class ExactModes:
         return self.beta ** (2 * self.attached.structure.m)
 
     @property
-    def origins(self) -> Vector:
-        """The eigenvalues ``(n pi)^(2m)`` of the bare structure from which the shifts are."""
-        return self.attached.bare(self.n)
-
-    @property
     def shifts(self) -> Vector:
         """The eigenvalues less ``(n pi)^(2m)``, with all their digits."""
         return _shift(self.n, self.offset, self.attached.structure.m)
@@ -68,7 +63,8 @@ class ExactModes:
 
         Where both are near the same eigenvalue of the bare structure, by their shifts.
         """
-        off = (roots.origin[i] - self.origins[i]) + (roots.shift[i] - self.shifts[i])
+        origin = self.attached.bare(self.n[i])
+        off = (roots.origin[i] - origin) + (roots.shift[i] - self.shifts[i])
         return float(off) / float(self.eigenvalues[i])
 
     def shape(self, number: int, x: Vector, derivative: int) -> Vector:
@@ -128,16 +124,16 @@ class _Sines:
 
     def __init__(self, attached: Attached, n: Integers, offset: Vector) -> None:
         a, b = float(attached.a), float(1 - attached.a)
-        self.offset = _not_zero(offset)
         sine, cosine = attached.sines(n)
         sign = np.where(n % 2 == 0, 1.0, -1.0)
-        self.sin = sign * np.sin(self.offset)
-        self.sin_a, self.cos_a = _turned(sine, cosine, self.offset * a)
+        self.sin = sign * np.sin(offset)
+        self.sin_a, self.cos_a = _turned(sine, cosine, offset * a)
         # n pi b is n pi less n pi a
-        self.sin_b, self.cos_b = _turned(-sign * sine, sign * cosine, self.offset * b)
+        self.sin_b, self.cos_b = _turned(-sign * sine, sign * cosine, offset * b)
 
 
 def _not_zero(offset: Vector) -> Vector:
+    """Return an offset so small for none: its limits have all digits, and none is infinite."""
     return np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
 
 
@@ -165,14 +161,10 @@ def exact_modes(attached: Attached, count: int) -> ExactModes:
 def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers, Vector]:
     """Return the nearer end of each bracket, and the distance from it."""
     half = (high - low) * np.pi / 2
-    above = _Equation(attached, low)
     start = -1.0 if attached.raises else 1.0
-    below = np.sign(above(half)) != start
-    origin = np.where(below, low, high)
-    end = np.where(below, half, -half)
-    function = _Equation(attached, origin)
-    zero = np.zeros_like(end)
-    return origin, bracketed(function, zero, end, function.at_origin(), function(end))
+    below = np.sign(_Equation(attached, low)(half)) != start
+    origin, end = np.where(below, low, high), np.where(below, half, -half)
+    return origin, bracketed(_Equation(attached, origin), end)
 
 
 class _Equation:
@@ -188,19 +180,8 @@ class _Equation:
         end = np.pi * float(min(attached.a, 1 - attached.a))
         self.sums = np.flatnonzero((origin * end < 1) & (origin <= HIGHEST))
 
-    def at_origin(self) -> Vector:
-        """Return its limit there."""
-        attached, n = self.attached, self.origin
-        m, wave = attached.structure.m, self.origin * np.pi
-        weight = _weights(attached, n)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            limit = -attached.s * weight / (2 * m * wave ** (2 * m - 1))
-        if attached.structure.kind != "stiffness":
-            limit = -limit * wave ** (2 * m)
-        return np.where(n == 0, np.where(self.from_zero, attached.margin, 1.0), limit)
-
     def __call__(self, offset: Vector) -> Vector:
-        structure = self.attached.structure
+        structure, offset = self.attached.structure, _not_zero(offset)
         beta = self.origin * np.pi + offset
         factor = np.where(self.origin == 0, 1.0, offset)
         G = factor * self._receptance(beta, offset)
@@ -225,7 +206,7 @@ class _Equation:
         """Return the same as a sum over modes, and a power series of what that leaves out."""
         attached, n = self.attached, self.origin[self.sums]
         poles, weights, rest = _sum(attached, 2 * int(n.max()) + LEAST)
-        shift = _shift(n, _not_zero(offset), attached.structure.m)
+        shift = _shift(n, offset, attached.structure.m)
         origin, from_zero = attached.bare(n), self.from_zero[self.sums]
         value = origin + shift
         terms = weights / ((poles - origin[:, None]) - shift[:, None])

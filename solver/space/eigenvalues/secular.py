@@ -76,11 +76,6 @@ def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
     return Roots(all_origins[order], all_shifts[order], mark[order], rounding)
 
 
-def number(bare: BareModes, kind: str) -> int:
-    """Return how many eigenvalues there are: a function with a jump brings one more."""
-    return len(bare.eigenvalues) + (kind == "compliance" and bare.hinge_rest > 0)
-
-
 @dataclass(frozen=True)
 class _Terms:
     """An equation of those above: the poles ``Lambda_i``, and the numerators over them."""
@@ -146,9 +141,7 @@ def _coupled(terms: _Terms, count: int) -> tuple[Vector, Vector]:
     origin = np.where(below | ~is_pole, low, high)
     # without a pole at its upper end, the last bracket is searched from the lower one
     end = np.where(is_pole, np.where(below, half, -half), high - low)
-    function = _Function(terms, origin)
-    zero = np.zeros_like(end)
-    return origin, bracketed(function, zero, end, function(zero), function(end))
+    return origin, bracketed(_Function(terms, origin), end)
 
 
 def _beyond(terms: _Terms) -> float:

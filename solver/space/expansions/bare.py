@@ -69,6 +69,11 @@ class BareModes:
     off: float
     inexact: Vector
 
+    @property
+    def count(self) -> int:
+        """How many modes there are with an attachment: a function with a jump brings one."""
+        return len(self.eigenvalues) + (self.hinge_rest > 0)
+
 
 @dataclass(frozen=True)
 class Sines:

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 from ...scenes.parameter_error import whole
 from ..attached import Attached
-from ..eigenvalues.secular import number
 from ..structure import Structure
 from .bare import BareModes
 from .forced import ritz_forced
@@ -73,11 +72,6 @@ def bare_modes(
         return piecewise(attached, order)
     chosen = tuple(range(1, forced + 1)) if isinstance(forced, int) else tuple(forced)
     return ritz_forced(attached, order, chosen)
-
-
-def available(attached: Attached, bare: BareModes) -> int:
-    """Return how many modes an expansion has."""
-    return number(bare, attached.structure.kind)
 
 
 def check_count(there_are: int, count: int | None, usual: int, method: str, order: int) -> int:
