@@ -8,7 +8,7 @@ import numpy as np
 
 from ..scenes.methods import about
 
-#: Orders above rounding that a fit takes at least: fewer say too little.
+#: Orders above rounding that a fit takes at least, if nothing else is said.
 FEWEST = 6
 
 #: Errors below these are rounding: of the times, and of the derivative that jumps.
@@ -60,11 +60,16 @@ def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
 
 
 def slope(
-    errors: Iterable[tuple[int, float]], floor: float, *, power: bool, upper_half: bool = False
+    errors: Iterable[tuple[int, float]],
+    floor: float,
+    *,
+    power: bool,
+    upper_half: bool = False,
+    fewest: int = FEWEST,
 ) -> float | None:
     """Return minus the slope of the logarithm of an error, by least squares.
 
-    None if fewer than six orders are above rounding.
+    None if fewer orders than `fewest` are above rounding.
 
     Parameters
     ----------
@@ -75,7 +80,8 @@ def slope(
     power : bool
         Whether over the logarithm of the order, or over the order.
     upper_half : bool
-        Whether to the upper half of that scale, but never to fewer than six orders.
+        Whether to the upper half of that scale, but never to fewer orders than `fewest`.
+    fewest : int
 
     Examples
     --------
@@ -84,12 +90,12 @@ def slope(
     """
     known = {order: abs(error) for order, error in errors}
     above = sorted(order for order, error in known.items() if floor < error < math.inf)
-    if len(above) < FEWEST:
+    if len(above) < fewest:
         return None
     scale: Callable[[float], float] = math.log10 if power else float
     x = np.array([scale(order) for order in above])
     y = np.log10([known[order] for order in above])
     if upper_half:
-        first = min(int(np.searchsorted(x, (x[0] + x[-1]) / 2)), len(x) - FEWEST)
+        first = min(int(np.searchsorted(x, (x[0] + x[-1]) / 2)), len(x) - fewest)
         x, y = x[first:], y[first:]
     return float(-np.polyfit(x, y, 1)[0])

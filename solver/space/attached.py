@@ -94,6 +94,11 @@ class Attached:
         """The length in metres."""
         return self.values["length"]
 
+    def law(self, eigenvalue: float) -> float:
+        """Return the factor in ``[u^(broken)] = factor u^(felt)(a)``."""
+        factors = {"stiffness": -self.s, "inertia": self.s * eigenvalue, "compliance": self.s}
+        return self.structure.jump * factors[self.structure.kind]
+
     def sines(self, n: Integers) -> tuple[Vector, Vector]:
         """Return ``sin(n pi a)`` and ``cos(n pi a)``."""
         return sines(n, self.a)
@@ -128,13 +133,11 @@ class Attached:
         """The same without the parameters, as tables have it."""
         return {name: value for name, value in self.as_dict().items() if name != "parameters"}
 
-    @property
-    def description(self) -> str:
-        """The parameters in one line, and the dimensionless strength."""
-        return self.described()
-
     def described(self, varied: str = "") -> str:
-        """Return the same without what is varied, and what follows from it."""
+        """Return the parameters in one line, and the dimensionless strength.
+
+        Without what is varied, and what follows from it.
+        """
         listed = ", ".join(
             f"{q.symbol} = {self.values[q.name]:g}{f' {q.unit}' if q.unit else ''}"
             for q in self.structure.parameters

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..accuracy.rates import slope
 from ..orbit.quadrature import panels
 from ..presentation.table import Table, Tabular, flat
 from ..scenes.parameter_error import whole
@@ -96,16 +97,12 @@ class Convergence(Tabular):
         Over the errors above rounding, from order `FROM` on; None of fewer than three.
         """
         points = [
-            (row.order, abs(row.eigenvalue_error))
+            (row.order, row.eigenvalue_error)
             for row in self.of(line)
-            if row.eigenvalue_error is not None
-            and abs(row.eigenvalue_error) > ROUNDING
-            and row.order >= FROM
+            if row.eigenvalue_error is not None and row.order >= FROM
         ]
-        if len(points) < 3:
-            return None
-        orders, errors = np.log(np.array(points)).T
-        return float(np.polyfit(orders, errors, 1)[0])
+        falls = slope(points, ROUNDING, power=True, fewest=3)
+        return None if falls is None else -falls
 
     def expected(self, line: Line) -> int | None:
         """Return the power that the class and the forced modes say; None of ``ck``."""

@@ -39,14 +39,12 @@ def as_position(value: object) -> Fraction:
     try:
         if isinstance(value, str):
             found = Fraction(value.replace(" ", ""))
-        elif isinstance(value, bool) or not isinstance(value, numbers.Real):
-            raise TypeError
+        elif isinstance(value, numbers.Rational):  # a bool, too, which is an end
+            found = Fraction(value)
+        elif isinstance(value, numbers.Real):
+            found = Fraction(repr(float(value)))
         else:
-            found = (
-                Fraction(value)
-                if isinstance(value, numbers.Rational)
-                else Fraction(repr(float(value)))
-            )
+            raise TypeError
     except (ValueError, TypeError, ZeroDivisionError, OverflowError):
         raise ValueError(f"position: got {value!r:.60}, {expected}") from None
     if not 0 < found < 1 or not 0 < float(found) < 1:

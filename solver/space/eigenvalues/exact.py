@@ -72,39 +72,29 @@ class ExactModes:
 
         Its scale is any; at the attachment itself it is the mean of both sides.
         """
-        x, i = np.asarray(x, dtype=float), number - 1
-        n, offset = int(self.n[i]), float(self.offset[i])
-        if self.untouched[i] or offset == 0:
-            wave = n * np.pi
-            return wave**derivative * np.sin(wave * x + derivative * np.pi / 2)
-        m, most = self.attached.structure.m, self.attached.structure.most_forced
-        if (self.beta[i] / np.pi) ** (2 * m * most) < EPS:  # a power series, of forced modes
+        x, i, structure = np.asarray(x, dtype=float), number - 1, self.attached.structure
+        beta, most = self.beta[i], structure.most_forced
+        if self.untouched[i] or self.offset[i] == 0:
+            return np.asarray(beta**derivative * np.sin(beta * x + derivative * np.pi / 2))
+        if (beta / np.pi) ** (2 * structure.m * most) < EPS:  # a power series, of forced modes
             forced, lam = ForcedModes(self.attached), self.eigenvalues[i]
-            return np.asarray(
-                sum(
-                    lam ** (q - 1) * forced.values(q, x, derivative) for q in range(1, most + 1)
-                )
+            terms = (
+                lam ** (q - 1) * forced.values(q, x, derivative) for q in range(1, most + 1)
             )
-        a, b = float(self.attached.a), float(1 - self.attached.a)
-        j = self.attached.structure.felt
-        left = self._side(n, offset, x, b, derivative, mirrored=False)
-        right = self._side(n, offset, 1 - x, a, derivative, mirrored=True)
-        right = (-1) ** (j + derivative) * right
-        return joined(x, a, left, right)
+            return np.asarray(sum(terms))
+        around = _Sines(self.attached, self.n[[i]], self.offset[[i]])
 
-    def _side(
-        self, n: int, offset: float, x: Vector, b: float, derivative: int, *, mirrored: bool
-    ) -> Vector:
-        """Return the response at ``x <= 1 - b``, the attachment at ``1 - b``."""
-        module, beta = self.attached.structure.module, n * np.pi + offset
-        around = _Sines(self.attached, np.array([n]), np.array([offset]))
-        sine, cosine = (
-            (around.sin_a, around.cos_a) if mirrored else (around.sin_b, around.cos_b)
-        )
-        inside = np.clip(x, 0, 1 - b)
-        over = module.shape_over_sine(beta, inside, sine[0], cosine[0])[derivative]
-        rest = module.shape_rest(beta, inside, b)[derivative]
-        return np.asarray(over / around.sin[0] + rest)
+        def side(x: Vector, b: float, sine: Vector, cosine: Vector) -> Vector:
+            """Return the response at ``x <= 1 - b``, the attachment at ``1 - b``."""
+            inside = np.clip(x, 0, 1 - b)
+            over = structure.module.shape_over_sine(beta, inside, sine, cosine)[derivative]
+            rest = structure.module.shape_rest(beta, inside, b)[derivative]
+            return np.asarray(over / around.sin + rest)
+
+        a, b = float(self.attached.a), float(1 - self.attached.a)
+        left = side(x, b, around.sin_b, around.cos_b)
+        right = side(1 - x, a, around.sin_a, around.cos_a)
+        return joined(x, a, left, (-1) ** (structure.felt + derivative) * right)
 
 
 def of_frequency(error: float) -> float:

@@ -91,7 +91,7 @@ def _derivative(pieces: Pieces, derivative: int) -> Iterator[Matrix]:
 def _norms(attached: Attached, lengths: tuple[float, float], size: int) -> Matrix:
     """Return the norms of so many polynomials on each segment, shape (2, size)."""
     norm_squared = attached.structure.module.legendre_norm_squared
-    return np.sqrt(norm_squared(np.arange(size), np.array(lengths)[:, None]))
+    return np.asarray(np.sqrt(norm_squared(np.arange(size), np.array(lengths)[:, None])))
 
 
 def _hat(lengths: tuple[float, float]) -> Pieces:

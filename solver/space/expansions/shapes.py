@@ -7,6 +7,7 @@ import numpy as np
 
 from ...arrays import Vector
 from ..attached import Attached
+from ..eigenvalues.bracketing import EPS
 from ..eigenvalues.secular import Roots
 from .bare import BareModes
 
@@ -43,7 +44,7 @@ def shape_of(attached: Attached, bare: BareModes, roots: Roots, i: int) -> Shape
     else:
         away = (bare.eigenvalues - roots.origin[i]) - roots.shift[i]
         # rounding may put a root on a pole of which next to nothing is felt
-        away = np.where(away == 0, np.finfo(float).eps * bare.eigenvalues, away)
+        away = np.where(away == 0, EPS * bare.eigenvalues, away)
         found = bare.felt / away
         if attached.structure.kind == "compliance":
             found, hinge = found * float(roots.values[i]), 1.0
@@ -63,11 +64,6 @@ def jump_mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float 
     """
     structure, a = attached.structure, np.array([float(attached.a)])
     before, behind = (shape.values(a, structure.broken, side)[0] for side in (-1, 1))
-    factor = {
-        "stiffness": -attached.s,
-        "inertia": attached.s * eigenvalue,
-        "compliance": attached.s,
-    }[structure.kind]
-    law = structure.jump * factor * shape.values(a, structure.felt)[0]
+    law = attached.law(eigenvalue) * shape.values(a, structure.felt)[0]
     found = float((behind - before) / law - 1) if law else math.nan
     return found if math.isfinite(found) else None

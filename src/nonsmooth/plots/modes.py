@@ -120,7 +120,7 @@ def modes_figure(found: "Sequence[Modes]") -> Figure:
     for panel in panels[count:].flat:
         panel.remove()
     figure.align_ylabels()
-    words = f"{found[0].structure.name}: {found[0].attached.description}"
+    words = f"{found[0].structure.name}: {found[0].attached.described()}"
     frame(figure, axes[0, 0], words, 4)
     return figure
 
@@ -226,7 +226,7 @@ def convergence_figure(study: "Convergence") -> Figure:
     for axes, quantity in zip(both, ERRORS, strict=True):
         draw_convergence(study, axes, quantity)
         axes.set_title(f"{axes.get_ylabel()}, mode {study.number}")
-    words = f"{study.attached.structure.name}: {study.attached.description}"
+    words = f"{study.attached.structure.name}: {study.attached.described()}"
     frame(figure, both[0], words, 5)
     return figure
 
