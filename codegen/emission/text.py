@@ -33,7 +33,7 @@ class ClosedForm:
     values: tuple[sp.Expr, ...]
 
 
-def _expression_source(form: ClosedForm, value: sp.Expr) -> str:
+def expression_source(form: ClosedForm, value: sp.Expr) -> str:
     """Return what `sympy.lambdify` writes behind ``return`` for one value of `form`."""
     if value.is_Integer:
         return f"{value}.0"  # of one type with the other values
@@ -46,7 +46,7 @@ def _expression_source(form: ClosedForm, value: sp.Expr) -> str:
 def function_source(form: ClosedForm) -> str:
     """Return the source of one closed form: a value a line, as `lambdify` writes it."""
     arguments = ", ".join(str(argument) for argument in form.arguments)
-    values = [_expression_source(form, value) for value in form.values]
+    values = [expression_source(form, value) for value in form.values]
     if len(values) == 1:
         result = values[0]
     else:
@@ -76,7 +76,14 @@ def module_text(
     names = math_names(body)
     math = f"from math import {', '.join(names)}\n\n" if names else ""
     legendre = "from numpy.polynomial import legendre\n" if "legendre.legval" in body else ""
+    both = marks(closed_forms, numbers + body)
+    return f"{document}\n{math}import numpy as np\n{legendre}\n{both}\n{numbers}\n\n{body}"
+
+
+def marks(closed_forms: Sequence[ClosedForm], text: str) -> str:
+    """Return the lines that say of which derivation a module is, and what its text is."""
     derived = "\n".join(f"{q.name}{q.arguments}{sp.srepr(q.values)}" for q in closed_forms)
-    marks = f'MATHEMATICS = "{digest(derived)}"  # of the closed forms, by srepr\n'
-    marks += f'BODY = "{digest(numbers + body)}"  # of the text below\n'
-    return f"{document}\n{math}import numpy as np\n{legendre}\n{marks}\n{numbers}\n\n{body}"
+    return (
+        f'MATHEMATICS = "{digest(derived)}"  # of the closed forms, by srepr\n'
+        f'BODY = "{digest(text)}"  # of the text below\n'
+    )

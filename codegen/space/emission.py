@@ -1,13 +1,12 @@
 """Structures as the text of ``generated/space/``: data, and closed forms by `lambdify`."""
 
-import re
 from collections.abc import Iterable
 
 import sympy as sp
 from sympy.codegen.cfunctions import expm1
 
-from ..emission.text import ClosedForm, function_source
-from ..python_text import digest
+from ..emission.text import ClosedForm, expression_source, function_source, marks
+from ..python_text import math_names
 from . import forced_modes, green, matching, series
 from .data import Structure, a, b, beta, x
 from .structures import STRUCTURES
@@ -60,10 +59,9 @@ def module_source(structure: Structure) -> str:
     matching.check_determinant(structure)
     forms = closed_forms(structure)
     body = "\n\n".join([*map(function_source, forms), _forced_modes(structure)])
-    names = [q for q in ("cos", "exp", "expm1", "sin", "sqrt") if re.search(rf"\b{q}\(", body)]
-    math = f"from numpy import {', '.join(names)}\n\n"
+    math = f"from numpy import {', '.join(math_names(body))}\n\n"
     head = HEADER.format(name=structure.name, title=structure.title, power=2 * structure.m)
-    return head + math + _constants(forms, body) + "\n\n" + body
+    return f"{head}{math}{marks(forms, body)}\n\n{body}"
 
 
 def closed_forms(structure: Structure) -> list[ClosedForm]:
@@ -104,22 +102,15 @@ def closed_forms(structure: Structure) -> list[ClosedForm]:
 
 def _forced_modes(structure: Structure) -> str:
     """Return the function of the coefficients of all forced modes."""
-    rows = (
-        ClosedForm(f"g_{q}", "", (a,), forced_modes.left_coefficients(structure, q))
-        for q in range(1, forced_modes.MOST + 1)
-    )
-    lines = "".join(f"        ({', '.join(_values(row))},),\n" for row in rows)
+    form, lines = ClosedForm("g", "", (a,), ()), ""
+    for q in range(1, forced_modes.MOST + 1):
+        row = forced_modes.left_coefficients(structure, q)
+        lines += f"        ({', '.join(expression_source(form, each) for each in row)},),\n"
     return (
         "def forced_modes(a):\n"
         '    """Return the coefficients of x, x**3, ... of each forced mode left of a."""\n'
         f"    return (\n{lines}    )\n"
     )
-
-
-def _values(form: ClosedForm) -> list[str]:
-    """Return the expressions of a closed form, as `lambdify` writes them."""
-    source = (function_source(ClosedForm("g", "", form.arguments, (q,))) for q in form.values)
-    return [text.partition("return ")[2].strip() for text in source]
 
 
 def _with_names(expression: sp.Expr) -> sp.Expr:
@@ -155,14 +146,6 @@ def _collected(term: sp.Expr) -> sp.Expr:
     if exponent.has(a):
         exponent = exponent.subs(b, 1 - a)
     return sp.Mul(*others) * sp.exp(sp.collect(sp.expand(exponent), beta))
-
-
-def _constants(forms: list[ClosedForm], body: str) -> str:
-    derived = "\n".join(f"{q.name}{q.arguments}{sp.srepr(q.values)}" for q in forms)
-    return (
-        f'MATHEMATICS = "{digest(derived)}"  # of the closed forms, by srepr\n'
-        f'BODY = "{digest(body)}"  # of the text below\n'
-    )
 
 
 def data_source(structures: Iterable[Structure]) -> str:

@@ -27,28 +27,24 @@ MOST = 3
 Pieces = tuple[sp.Expr, sp.Expr]
 
 
-def forced_mode(structure: Structure, q: int) -> Pieces:
-    """Return the pieces of ``g_q``."""
-    return _forced_mode(structure.m, structure.felt, structure.jump_of_load, q)
-
-
 @cache
-def _forced_mode(m: int, felt: int, jump: int, q: int) -> Pieces:
+def forced_mode(structure: Structure, q: int) -> Pieces:
     """Return the pieces of ``g_q`` by those of the mode before.
 
     Odd powers of the distance from an end satisfy its conditions; ``(-1)^m g^(2m)`` is the
     mode before, and what is left are ``2m`` constants, which the joints at `a` fix.
     """
+    m = structure.m
     c = sp.symbols(f"c0:{2 * m}")
     left = right = sp.Integer(0)
     if q > 1:
-        before = _forced_mode(m, felt, jump, q - 1)
+        before = forced_mode(structure, q - 1)
         left, right = _integrated(before[0], m), _integrated(before[1].subs(x, 1 - x), m)
     left += sum(c[i] * x ** (2 * i + 1) for i in range(m))
     right = (right + sum(c[m + i] * x ** (2 * i + 1) for i in range(m))).subs(x, 1 - x)
     joints = [
         sp.diff(right - left, x, d).subs(x, a)
-        - (jump if q == 1 and d == 2 * m - 1 - felt else 0)
+        - (structure.jump_of_load if q == 1 and d == structure.broken else 0)
         for d in range(2 * m)
     ]
     solution = sp.solve(list(map(sp.expand, joints)), c, dict=True)[0]
@@ -69,14 +65,11 @@ def left_coefficients(structure: Structure, q: int) -> tuple[sp.Expr, ...]:
     The right piece has the same of ``1 - x``, `a` and ``1 - a`` interchanged, with the sign
     ``(-1)^j``: checked here.
     """
-    return _left_coefficients(structure.m, structure.felt, structure.jump_of_load, q)
-
-
-@cache
-def _left_coefficients(m: int, felt: int, jump: int, q: int) -> tuple[sp.Expr, ...]:
-    left, right = _forced_mode(m, felt, jump, q)
+    left, right = forced_mode(structure, q)
     mirrored = left.subs({x: 1 - x, a: 1 - a}, simultaneous=True)
-    require_zero([(f"g_{q} seen from the other end", mirrored - (-1) ** felt * right)])
+    require_zero(
+        [(f"g_{q} seen from the other end", mirrored - (-1) ** structure.felt * right)]
+    )
     powers = sp.Poly(left, x)
     even = [c for (power,), c in powers.terms() if power % 2 == 0]
     if any(even):
@@ -123,8 +116,6 @@ def tail(K: int) -> sp.Expr:
     ``e_q = s_q``: the Schur complement of the block.  Checked to be the ``[K-1/K]`` Pade
     approximant: its Taylor series has the first ``2 K`` sums as coefficients.
     """
-    if K == 0:
-        return sp.Integer(0)
     s = sums(2 * K)
     block = sp.Matrix(K, K, lambda p, q: s[p + q] - lam * s[p + q + 1])
     load = sp.Matrix(s[:K])
