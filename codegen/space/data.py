@@ -15,9 +15,6 @@ beta, lam, s = sp.symbols("beta lambda s", positive=True)
 #: Its length, in metres.
 L = sp.Symbol("L", positive=True)
 
-#: What an attachment can be, and the factor by which the receptance enters its equation.
-KINDS = ("stiffness", "inertia", "compliance")
-
 
 @dataclass(frozen=True)
 class Bare:
@@ -95,18 +92,18 @@ class Structure:
         return int((-1) ** (self.m + self.felt))
 
     @property
-    def law(self) -> sp.Expr:
-        """The factor in ``[u^(2m-1-j)] = factor u^(j)(a)``."""
-        factors = {"stiffness": -s, "inertia": s * lam, "compliance": s}
-        return self.jump_of_load * factors[self.kind]
+    def load(self) -> sp.Expr:
+        """The load of the attachment where the felt derivative is one."""
+        return {"stiffness": -s, "inertia": s * lam, "compliance": s}[self.kind]
 
     @property
-    def equation(self) -> sp.Expr:
-        """The equation of the attached structure in its receptance ``G``: zero."""
-        G = sp.Symbol("G")
-        return {"stiffness": 1 + s * G, "inertia": 1 - s * lam * G, "compliance": 1 - s * G}[
-            self.kind
-        ]
+    def law(self) -> sp.Expr:
+        """The factor in ``[u^(2m-1-j)] = factor u^(j)(a)``."""
+        return self.jump_of_load * self.load
+
+    def equation(self, G: sp.Expr) -> sp.Expr:
+        """Return the equation of the attached structure by its receptance: zero."""
+        return 1 - self.load * G
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

@@ -119,7 +119,7 @@ def _exact(structure: Structure) -> Iterator[Equation]:
     yield line(
         "receptance: that derivative of it at `x = a`", (G, sum(green.receptance(structure)))
     )
-    yield line("equation of the attachment", (structure.equation, zero))
+    yield line("equation of the attachment", (structure.equation(G), zero))
     yield line("characteristic equation", (green.characteristic(structure), zero))
     factor = matching.check_determinant(structure)
     yield line(
@@ -142,8 +142,7 @@ def _scalar(structure: Structure, last: sp.Expr, tail: sp.Expr) -> sp.Expr:
     if structure.kind == "compliance":
         inside = sp.Sum(r[n] ** 2 / (bare[n] ** 2 * (bare[n] - lam)), (n, 1, last)) + tail
         return 1 - s * lam * (S[2] + lam * inside)
-    factor = s if structure.kind == "stiffness" else -s * lam
-    return 1 + factor * total
+    return structure.equation(total)
 
 
 def _ritz(structure: Structure) -> Iterator[Equation]:
@@ -243,5 +242,5 @@ def _series(structure: Structure) -> Iterator[Equation]:
         hinge = sp.Symbol("h_0")
         left = 1 - s * lam * (hinge + lam * total)
     else:
-        left = 1 + (s if structure.kind == "stiffness" else -s * lam) * total
+        left = structure.equation(total)
     yield line(words, (left, zero))

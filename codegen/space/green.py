@@ -82,8 +82,7 @@ def characteristic(structure: Structure) -> sp.Expr:
     The equation of the attached structure times ``sin beta``, of a beam ``sinh beta``, and the
     lowest power of ``beta`` that leaves no denominator.
     """
-    G = sum(receptance(structure))
-    whole = structure.equation.subs(sp.Symbol("G"), G).subs(lam, beta ** (2 * structure.m))
+    whole = structure.equation(sum(receptance(structure))).subs(lam, beta ** (2 * structure.m))
     factor = sp.sin(beta) * (sp.sinh(beta) if structure.m == 2 else 1)
     cleared = sp.expand(sp.expand(whole) * factor)
     numerator, denominator = sp.fraction(sp.together(cleared))

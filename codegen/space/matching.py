@@ -13,20 +13,14 @@ from .data import Structure, a, b, beta, lam, x
 from .green import characteristic
 
 
-def general_solution(structure: Structure) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-    """Return the solutions left and right of `a` that satisfy the conditions at the ends."""
-    left = (sp.sin(beta * x), sp.sinh(beta * x))[: structure.m]
-    right = (sp.sin(beta * (1 - x)), sp.sinh(beta * (1 - x)))[: structure.m]
-    return left, right
-
-
 def matrix(structure: Structure) -> sp.Matrix:
     """Return the matrix of the conditions on the coefficients, left ones first.
 
-    A row a derivative from 0 to ``2m - 1``: its jump is zero, and that of the broken one obeys
-    the law of the attachment.
+    Each is that of a solution with the conditions at its end.  A row a derivative from 0 to
+    ``2m - 1``: its jump is zero, and that of the broken one obeys the law of the attachment.
     """
-    left, right = general_solution(structure)
+    left = (sp.sin(beta * x), sp.sinh(beta * x))[: structure.m]
+    right = [u.subs(x, 1 - x) for u in left]
     law = structure.law.subs(lam, beta ** (2 * structure.m))
     rows = []
     for d in range(2 * structure.m):

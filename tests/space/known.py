@@ -58,13 +58,38 @@ def exact_values(reference: dict[str, Any]) -> "np.ndarray[Any, Any]":
     return np.array([float(value) for value in reference["exact"]])
 
 
+def place(one: Attached) -> Any:
+    """Return the place of the attachment in the digits of mpmath."""
+    return mp.mpf(one.a.numerator) / one.a.denominator
+
+
+def felt(one: Attached, n: int) -> Any:
+    """Return what is felt of a mode of the bare structure, in the digits of mpmath."""
+    j = one.structure.felt
+    return mp.sqrt(2) * (n * mp.pi) ** j * mp.sin(n * mp.pi * place(one) + j * mp.pi / 2)
+
+
+def law(one: Attached, eigenvalue: float) -> float:
+    """Return the jump of the broken derivative over the felt one."""
+    factor = {"stiffness": -one.s, "inertia": one.s * eigenvalue, "compliance": one.s}
+    return one.structure.jump * factor[one.structure.kind]
+
+
+def quadrature(one: Attached, points: int) -> "tuple[np.ndarray[Any, Any], ...]":
+    """Return places as parts of the length, and weights: Gauss rules beside the attachment."""
+    nodes, weights = np.polynomial.legendre.leggauss(points)
+    a = float(one.a)
+    x = np.concatenate([a * (nodes + 1) / 2, a + (1 - a) * (nodes + 1) / 2])
+    return x, np.concatenate([a * weights / 2, (1 - a) * weights / 2])
+
+
 def receptance(one: Attached, k: Any) -> Any:
     """Return the sum of ``r_n^2/(mu_n - k^(2m))`` in the digits of mpmath, from textbooks.
 
     Of a crack that of the mass at its place, which has the same eigenvalues.
     """
-    a = mp.mpf(one.a.numerator) / one.a.denominator
-    b, sine = 1 - a, mp.sin(k)
+    a, sine = place(one), mp.sin(k)
+    b = 1 - a
     if one.structure.m == 1:
         return mp.sin(k * a) * mp.sin(k * b) / (k * sine)
     if one.structure.felt == 1:

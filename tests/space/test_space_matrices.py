@@ -3,7 +3,7 @@
 import mpmath as mp
 import numpy as np
 import pytest
-from known import NAMES, attached
+from known import NAMES, attached, felt, law, place, quadrature
 
 from nonsmooth.solver.space.eigenvalues import secular
 from nonsmooth.solver.space.eigenvalues.bracketing import EPS
@@ -18,9 +18,9 @@ from nonsmooth.solver.space.modes import at_order, modes
 def _sums(one, q: int) -> mp.mpf:
     """Return the sum of r_n^2/mu_n^q, from the Fourier series of Bernoulli polynomials."""
     j, m = one.structure.felt, one.structure.m
-    p, a = m * q - j, mp.mpf(one.a.numerator) / one.a.denominator
+    p = m * q - j
     unit = (-1) ** (p + 1) * mp.mpf(2) ** (2 * p) / (2 * mp.factorial(2 * p))
-    return unit * (mp.bernpoly(2 * p, 0) - (-1) ** j * mp.bernpoly(2 * p, a))
+    return unit * (mp.bernpoly(2 * p, 0) - (-1) ** j * mp.bernpoly(2 * p, place(one)))
 
 
 def matrix_eigenvalues(one, N: int, K: int) -> list[mp.mpf]:
@@ -28,32 +28,28 @@ def matrix_eigenvalues(one, N: int, K: int) -> list[mp.mpf]:
 
     The attachment stands in the matrices; no tails, no scalar equation.
     """
-    j, m, s = one.structure.felt, one.structure.m, mp.mpf(one.s)
-    a = mp.mpf(one.a.numerator) / one.a.denominator
-    kind, size = one.structure.kind, N + K
-    wave = [n * mp.pi for n in range(1, N + 1)]
-    mu = [w ** (2 * m) for w in wave]
-    around = (mp.sin, mp.cos, lambda t: -mp.sin(t))[j]
-    r = [mp.sqrt(2) * w**j * around(w * a) for w in wave]
-    stiff, mass, felt = mp.zeros(size), mp.zeros(size), mp.zeros(size, 1)
+    kind, size, s = one.structure.kind, N + K, mp.mpf(one.s)
+    mu = [(n * mp.pi) ** (2 * one.structure.m) for n in range(1, N + 1)]
+    r = [felt(one, n) for n in range(1, N + 1)]
+    stiff, mass, load = mp.zeros(size), mp.zeros(size), mp.zeros(size, 1)
     for n in range(N):
-        stiff[n, n], mass[n, n], felt[n] = mu[n], 1, r[n]
+        stiff[n, n], mass[n, n], load[n] = mu[n], 1, r[n]
         for q in range(1, K + 1):
             hinge = kind == "compliance" and q == 1
             stiff[n, N + q - 1] = stiff[N + q - 1, n] = 0 if hinge else r[n] / mu[n] ** (q - 1)
             mass[n, N + q - 1] = mass[N + q - 1, n] = r[n] / mu[n] ** q
     for q in range(1, K + 1):
         if not (kind == "compliance" and q == 1):
-            felt[N + q - 1] = _sums(one, q)
+            load[N + q - 1] = _sums(one, q)
         for p in range(1, K + 1):
             straight = kind == "compliance" and 1 in (p, q)  # has no curvature
             value = mp.mpf(0) if straight else _sums(one, p + q - 1)
             stiff[N + q - 1, N + p - 1] = value
             mass[N + q - 1, N + p - 1] = _sums(one, p + q)
     if kind == "stiffness":
-        stiff += s * felt * felt.T
+        stiff += s * load * load.T
     elif kind == "inertia":
-        mass += s * felt * felt.T
+        mass += s * load * load.T
     else:
         stiff[N, N] += 1 / s
     lower = mp.cholesky(mass)
@@ -84,18 +80,11 @@ def test_the_reference_that_is_left_out() -> None:
     assert found[3] == pytest.approx(39846.409929222582, rel=1e-13)
 
 
-def _quadrature(one, points: int = 60):
-    nodes, weights = np.polynomial.legendre.leggauss(points)
-    a = float(one.a)
-    x = np.concatenate([a * (nodes + 1) / 2, a + (1 - a) * (nodes + 1) / 2])
-    return x, np.concatenate([a * weights / 2, (1 - a) * weights / 2])
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_integrals_of_forced_modes_are_one_term_each(name: str) -> None:
     one = attached(name)
     m, compliant = one.structure.m, one.structure.kind == "compliance"
-    x, weights = _quadrature(one)
+    x, weights = quadrature(one, 60)
     n, forced = np.arange(1, 7), ForcedModes(one)
     r, mu = one.felt(n), one.bare(n)
     sums = {q: float(_sums(one, q)) for q in range(1 + compliant, 7)}
@@ -143,7 +132,7 @@ def test_pieces_satisfy_what_they_must(name: str) -> None:
     for derivative in range(max(one.structure.k, one.structure.m - 1) + 1):
         low = shapes.values(beside, derivative)[:6]
         np.testing.assert_allclose(low[:, 0], low[:, 1], rtol=1e-9, atol=1e-9)
-    x, weights = _quadrature(one)
+    x, weights = quadrature(one, 60)
     low = shapes.values(x, 0)[:6]
     np.testing.assert_allclose((low * weights) @ low.T, np.eye(6), atol=1e-12)
     curved = shapes.values(x, one.structure.m)[:6]
@@ -168,13 +157,11 @@ def test_exact_shapes_satisfy_equation_and_matching_conditions(name: str) -> Non
     beside = np.array([a * (1 - 1e-15), a * (1 + 1e-15)])
     for number in range(1, 5):
         lam, size = exact.eigenvalues[number - 1], exact.beta[number - 1]
-        felt = exact.shape(number, np.array([a]), structure.felt)[0]
-        factor = {"stiffness": -one.s, "inertia": one.s * lam, "compliance": one.s}
+        moved = exact.shape(number, np.array([a]), structure.felt)[0]
         scale = np.abs(exact.shape(number, np.linspace(0, 1, 50), 0)).max()
         for derivative in range(2 * structure.m):
             sides = exact.shape(number, beside, derivative)
-            law = structure.jump * factor[structure.kind] * felt
-            wanted = law if derivative == structure.broken else 0.0
+            wanted = law(one, lam) * moved if derivative == structure.broken else 0.0
             assert np.diff(sides)[0] == pytest.approx(
                 wanted, abs=1e-10 * scale * size**derivative
             )
@@ -187,7 +174,7 @@ def test_a_mode_is_normalised_and_rises_from_its_first_end() -> None:
     for name in NAMES:
         for method in ("ritz", "ritz-ck", "ck"):
             one = attached(name)
-            x, weights = _quadrature(one)
+            x, weights = quadrature(one, 60)
             for mode in at_order(one, method, 8, int(method == "ritz-ck"), 3):
                 assert weights @ mode.shape(x) ** 2 == pytest.approx(1, rel=1e-11)
                 assert mode.shape(0.0, 1) > 0

@@ -94,20 +94,13 @@ def test_bounds_of_the_piecewise_series_hold_from_above() -> None:
         assert (bounds.above(roots) >= exact_values(each)[:4]).all(), each
 
 
-def _with_two_forced_modes_at_32() -> list[tuple[dict, np.ndarray]]:
-    found = []
-    for each in references():
-        one = of(each)
-        bare = ritz_forced(one, 32, (1, 2))
-        roots = secular.eigenvalues(bare, one, COUNT)
-        found.append((each, roots.values / exact_values(each) - 1))
-    return found
-
-
 def test_two_forced_modes_and_32_sines_give_13_digits() -> None:
     """Of the modes whose truncation error is below that; N^-17 to N^-19, of strings N^-9."""
     reached = {"string-mass": 2, "string-spring": 1, "beam-crack": 5}
-    for each, off in _with_two_forced_modes_at_32():
+    for each in references():
+        one = of(each)
+        roots = secular.eigenvalues(ritz_forced(one, 32, (1, 2)), one, COUNT)
+        off = roots.values / exact_values(each) - 1
         modes = reached.get(each["structure"], 7)
         assert np.abs(off[:modes]).max() < 1e-13, each
         assert off.min() > -1e-14  # Ritz values lie above

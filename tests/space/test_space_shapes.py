@@ -3,7 +3,7 @@
 import mpmath as mp
 import numpy as np
 import pytest
-from known import drawn, expansion
+from known import drawn, expansion, felt, law, place, quadrature
 
 import nonsmooth as ns
 from nonsmooth.solver.space.attached import Attached
@@ -16,16 +16,11 @@ LONG = [pytest.param(seed, marks=pytest.mark.long) for seed in range(100, 300)]
 
 def wave_sum(one: Attached, q: int, x: float, derivative: int = 0) -> mp.mpf:
     """Return a derivative of ``g_q``, by its Fourier series: polylogarithms of unit numbers."""
-    j, a = one.structure.felt, mp.mpf(one.a.numerator) / one.a.denominator
+    j, a = one.structure.felt, place(one)
     p = 2 * one.structure.m * q - j - derivative
     apart, along = (mp.polylog(p, mp.expjpi(mp.mpf(x) + sign * a)) for sign in (-1, 1))
     turned = mp.mpc(0, 1) ** (derivative - j) * apart - mp.mpc(0, 1) ** (derivative + j) * along
     return mp.re(turned) / mp.pi**p
-
-
-def felt(one: Attached, n: int) -> mp.mpf:
-    j, a = one.structure.felt, mp.mpf(one.a.numerator) / one.a.denominator
-    return mp.sqrt(2) * (n * mp.pi) ** j * mp.sin(n * mp.pi * a + j * mp.pi / 2)
 
 
 def combination(one: Attached, N: int, K: int, lam: mp.mpf, x: np.ndarray) -> np.ndarray:
@@ -38,10 +33,9 @@ def combination(one: Attached, N: int, K: int, lam: mp.mpf, x: np.ndarray) -> np
     compliant = one.structure.kind == "compliance"
     mu = {n: (n * mp.pi) ** (2 * m) for n in range(1, N + 1)}
     r = {n: felt(one, n) for n in mu}
-    a = mp.mpf(one.a.numerator) / one.a.denominator
 
     def left(q: int) -> mp.mpf:
-        return wave_sum(one, q, a, j) - mp.fsum(r[n] ** 2 / mu[n] ** q for n in mu)
+        return wave_sum(one, q, place(one), j) - mp.fsum(r[n] ** 2 / mu[n] ** q for n in mu)
 
     chosen = range(1 + compliant, K + 1)
     sums = {q: left(q) for q in range(1 + compliant, 2 * K + 1)}
@@ -55,11 +49,11 @@ def combination(one: Attached, N: int, K: int, lam: mp.mpf, x: np.ndarray) -> np
     if compliant and K:
         weights[1] = mp.mpf(1)
     found = []
-    for place in x:
-        total = mp.fsum(w * wave_sum(one, q, place) for q, w in weights.items())
+    for at in x:
+        total = mp.fsum(w * wave_sum(one, q, at) for q, w in weights.items())
         for n, bare in mu.items():
             part = r[n] / (bare - lam) - mp.fsum(w * r[n] / bare**q for q, w in weights.items())
-            total += part * mp.sqrt(2) * mp.sin(n * mp.pi * mp.mpf(place))
+            total += part * mp.sqrt(2) * mp.sin(n * mp.pi * mp.mpf(at))
         found.append(total)
     return np.array([float(value / max(map(abs, found))) for value in found])
 
@@ -83,11 +77,10 @@ def assert_sound(one: Attached, mode: Mode) -> None:
     if mode.jump_mismatch is None:
         return
     before, behind = mode.shape(sides, structure.broken)
-    factor = {"stiffness": -one.s, "inertia": one.s * mode.eigenvalue, "compliance": one.s}
-    law = structure.jump * factor[structure.kind] * mode.shape(a, structure.felt)
+    jump = law(one, mode.eigenvalue) * mode.shape(a, structure.felt)
     most = np.abs(mode.shape(np.linspace(0, 1, 301), structure.broken)).max()
     assert behind - before == pytest.approx(
-        law * (1 + mode.jump_mismatch),
+        jump * (1 + mode.jump_mismatch),
         rel=1e-9,
         abs=1e-11 * (most + size * beta**structure.broken),
     )
@@ -112,13 +105,9 @@ def test_a_shape_is_that_of_its_expansion(seed: int) -> None:
 
 def work(one: Attached, modes: ns.Modes, derivative: int) -> np.ndarray:
     """Return the integrals of products of a derivative of shapes, by Gauss quadrature."""
-    nodes, weights = np.polynomial.legendre.leggauss(200)
-    found, a = np.zeros((len(modes), len(modes))), float(one.a)
-    for low, high in ((0.0, a), (a, 1.0)):
-        x = one.length * (low + (high - low) * (nodes + 1) / 2)
-        values = np.array([mode.normalised(x, derivative) for mode in modes])
-        found += one.length * (high - low) / 2 * (values * weights) @ values.T
-    return found
+    x, weights = quadrature(one, 200)
+    values = np.array([mode.normalised(one.length * x, derivative) for mode in modes])
+    return one.length * (values * weights) @ values.T
 
 
 NUMBERS = {"length": 1.7, "mass_per_length": 0.6}
