@@ -1,6 +1,6 @@
 """A body in balls: its poles, what its contacts see of them, and the laws as forms of these."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -51,6 +51,12 @@ def balls(values: Any) -> Balls:
     return np.array([make(q) for q in values.ravel().tolist()], dtype=object).reshape(
         values.shape
     )
+
+
+def real(values: Balls) -> Balls:
+    """Return the real parts of an array."""
+    flat = [acb(q).real for q in values.ravel()]
+    return np.array(flat, dtype=object).reshape(values.shape)
 
 
 def solved(A: Balls, right: Balls) -> Balls:
@@ -184,6 +190,10 @@ class Body:
         found = own @ seen
         return Forms(found[:, :-1], found[:, -1], rows[:, 3], memory, own @ direct)
 
+    def event(self, phase: "BodyPhase") -> Forms:
+        """Return the event at the end of a phase, with the contact forces by their laws."""
+        return closed(self.forms(balls([phase.event])), self.forms(laws(phase)))
+
 
 def laws(phase: "BodyPhase") -> Balls:
     """Return the laws of a phase by row; of a held contact, that it has its speed as well."""
@@ -222,16 +232,38 @@ def impulses(cell: "BodyCell", p: int) -> tuple[list[int], Balls, Balls, Balls]:
     return hit, whole[np.ix_(hit, hit)], factors, constants
 
 
-def value(form: Sequence[Any], states: Balls, angle: Any) -> tuple[Balls, Any]:
-    """Return a form, without its forces, by what z is of: factors and constant.
+def at_end(forms: Forms, states: Balls, angle: Any) -> tuple[Balls, Balls]:
+    """Return forms, without forces and memory, of states: rows over unknowns, what is known.
+
+    `states`, of shape (m, U), are the poles by each unknown; `angle` is that of the forcing.
+    """
+    turned = (acb(0, 1) * angle).exp()
+    return real(forms.poles @ states), real(forms.turn * turned) + forms.constant
+
+
+def statements(
+    cell: "BodyCell", body: Body, values: Callable[[Forms, int, int], tuple[Balls, Balls]]
+) -> Iterator[tuple[Balls, Any]]:
+    """Yield what each impulse is, then each memory: a row over the unknowns, what is known.
 
     Parameters
     ----------
-    form : sequence
-        ``poles, turn, constant`` of one form.
-    states : ndarray of acb, shape (m, U)
-    angle : arb
+    cell : BodyCell
+    body : Body
+    values : callable
+        Returns rows of forms and what is known of them at an end, 0 or 1, of a phase.
     """
-    poles, turn, constant = form
-    factors = np.array([acb(q).real for q in poles @ states], dtype=object)
-    return factors, (acb(turn) * (acb(0, 1) * angle).exp()).real + constant
+    contacts, memory = cell.body.at.shape[1], len(cell.memory)
+    velocity = body.forms(balls(np.eye(2 + 4 * contacts + memory)[places(contacts)[1]]))
+    for p in range(len(cell.phases)):
+        hit, mobility, factors, constants = impulses(cell, p)
+        if hit:
+            rows, rest = values(velocity, p, 1)
+            moved = (factors * rest[hit] + constants)[:, None]
+            right = np.hstack([factors[:, None] * rows[hit], moved])
+            for *row, known in solved(mobility.astype(object), right):
+                yield np.array(row, dtype=object), known
+    for each in cell.memory:
+        form = balls([[*each.value[: 2 + 4 * contacts], *([0.0] * memory)]])
+        (row,), (known,) = values(body.forms(form), each.phase, 0)
+        yield row, known

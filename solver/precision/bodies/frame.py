@@ -11,7 +11,7 @@ from flint import acb, arb, fmpq
 
 from ...bodies.layout import for_harmonics
 from ...kernels.bodies import Given
-from .body import Balls, Body, Forms, balls, closed, impulses, laws
+from .body import Balls, Body, Forms, at_end, balls, closed, impulses, laws
 from .pieces import Piece, around, moments
 
 if TYPE_CHECKING:
@@ -198,16 +198,9 @@ class Frame:
         states = self.pieces[q].end if side else self.pieces[q].start
         rows = np.full((len(forms.poles), self.size), acb(0), dtype=object)
         rows[:, : self.waves] = harmonics.transpose(1, 0, 2).reshape(len(rows), -1)
-        rows[:, self.waves : self.memory] = real(forms.poles @ states)
+        rows[:, self.waves : self.memory], known = at_end(forms, states, self.angles[q + side])
         rows[:, self.memory :] = forms.memory
-        turned = (acb(0, 1) * self.angles[q + side]).exp()
-        return rows, real(forms.turn * turned) + forms.constant
-
-
-def real(values: Balls) -> Balls:
-    """Return the real parts of an array."""
-    flat = [acb(q).real for q in values.ravel()]
-    return np.array(flat, dtype=object).reshape(values.shape)
+        return rows, known
 
 
 def of_real(by_harmonic: Balls) -> Balls:

@@ -1,16 +1,16 @@
 """Harmonics of the contact forces of a body in balls, and functions with breaks beside them."""
 
 from collections.abc import Iterator
+from itertools import chain
 from typing import Any
 
 import numpy as np
 from flint import acb, arb
 
-from ...bodies.laws import places
 from ...bodies.layout import for_harmonics
 from ...kernels.bodies import Given
-from .body import Balls, Forms, balls, closed, impulses, laws, solved
-from .frame import Frame, of_real, real
+from .body import Balls, Forms, balls, real, solved, statements
+from .frame import Frame, of_real
 
 
 def residual(given: Given, times: Any, R: Any) -> None:
@@ -25,13 +25,13 @@ def residual(given: Given, times: Any, R: Any) -> None:
     A = np.full((frame.size, frame.size), acb(0), dtype=object)
     right = np.full(frame.size, acb(0), dtype=object)
     A[: frame.waves], right[: frame.waves] = _galerkin(frame)
-    for place, row, known in _statements(frame):
+    others = chain(_smooth(frame), statements(cell, frame.body, frame.values))
+    for place, (row, known) in enumerate(others, frame.waves):
         A[place], right[place] = -row, known
         A[place, place] = A[place, place] + 1
     ends = []
     for p, phase in enumerate(cell.phases):
-        event = closed(frame.body.forms(balls([phase.event])), frame.body.forms(laws(phase)))
-        (row,), (known,) = frame.values(event, p, 1)
+        (row,), (known,) = frame.values(frame.body.event(phase), p, 1)
         for place, factor in _fixing(frame, p):
             A[place], right[place] = A[place] + factor * row, right[place] - factor * known
         ends.append((row, known))
@@ -87,42 +87,21 @@ def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
     return rows.reshape(J * contacts, -1), right.ravel()
 
 
-def _statements(frame: Frame) -> Iterator[tuple[int, Balls, Any]]:
-    """Yield what each factor, impulse and memory is: its place, a row, and what is known."""
-    cell, at, contacts = frame.cell, frame.waves, frame.cell.body.at.shape[1]
-    for p in range(frame.count if frame.given.functions else 0):
-        sign, left = (1, p - 1) if p else (cell.sign, frame.count - 1)
-        after, before, first = frame.laws[p], frame.laws[left], max(cell.classes[p], 1)
-        for n in range(1, first + (frame.given.functions or 0)):
+def _smooth(frame: Frame) -> Iterator[tuple[Balls, Any]]:
+    """Yield what each factor of a function with a break is: a row, and what is known."""
+    functions = frame.given.functions or 0
+    for p in range(frame.count if functions else 0):
+        sign, left = (1, p - 1) if p else (frame.cell.sign, frame.count - 1)
+        after, before, first = frame.laws[p], frame.laws[left], max(frame.cell.classes[p], 1)
+        for n in range(1, first + functions):
             if n >= first:
                 rows, rest = frame.values(after, p, 0)
                 ended, known = frame.values(before, left, 1)
-                for c in range(contacts):
-                    size = frame.T ** (n - 1)
-                    yield (
-                        at,
-                        size * (rows[c] - sign * ended[c]),
-                        size * (rest - sign * known)[c],
-                    )
-                    at += 1
+                size = frame.T ** (n - 1)
+                yield from zip(
+                    size * (rows - sign * ended), size * (rest - sign * known), strict=True
+                )
             after, before = _rate(frame, after, p), _rate(frame, before, left)
-    velocity = frame.body.forms(balls(np.eye(2 + 4 * contacts + len(cell.memory))))
-    for p in range(frame.count):
-        hit, mobility, factors, constants = impulses(cell, p)
-        if hit:
-            rows, rest = frame.values(velocity, p, 1)
-            v = [places(contacts)[1][c] for c in hit]
-            right = np.hstack(
-                [factors[:, None] * rows[v], (factors * rest[v] + constants)[:, None]]
-            )
-            for *row, known in solved(mobility.astype(object), right):
-                yield at, np.array(row, dtype=object), known
-                at += 1
-    for each in cell.memory:
-        form = balls([[*each.value[: 2 + 4 * contacts], *([0.0] * len(cell.memory))]])
-        rows, rest = frame.values(frame.body.forms(form), each.phase, 0)
-        yield at, rows[0], rest[0]
-        at += 1
 
 
 def _rate(frame: Frame, forms: Forms, p: int) -> Forms:
