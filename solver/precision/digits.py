@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -184,53 +184,44 @@ def at(
             for order in orders:
                 yield Kept(words, name, order, finding.status)
         return
-    sensitive = condition(exact)
-    yield _of_exact(words, exact, sensitive)
+    case, found, sensitive = exact.case, exact.outcome, condition(exact)
+    kept = Kept(words, EXACT, None, "not-converged", None, None, sensitive, found.iterations)
+    yield _against_balls(kept, case, exact_kernel(case.cell), case.cell, found.unknowns)
     for name in names:
         for order in orders:
-            yield _of_method(words, exact, name, order, sensitive)
+            kept = Kept(words, name, order, "not-converged", orbit_condition=sensitive)
+            yield _of_method(kept, exact, name, order)
 
 
-def _of_exact(words: str, orbit: ExactOrbit, sensitive: float) -> Kept:
-    kernel, cell = exact_kernel(orbit.case.cell), orbit.case.cell
-    head, tail = (words, EXACT, None), (sensitive, orbit.outcome.iterations)
-    return _kept(head, tail, kernel, orbit.case, cell, orbit.outcome.unknowns)
-
-
-def _of_method(
-    words: str, exact: ExactOrbit, method: str, order: int, sensitive: float
-) -> Kept:
+def _of_method(kept: Kept, exact: ExactOrbit, method: str, order: int) -> Kept:
+    """Return what is kept by a method, from the times of the exact orbit."""
     case = exact.case
     functions = number_of_functions(case, method, None)
     kernel = registry.kernel(case.scene, method, functions)
-    head = (words, method, order)
     if order < kernel.lowest:
-        return Kept(*head, "not-converged", None, None, sensitive)
+        return kept
     found = attempt(kernel, case, order, kernel.times(exact.outcome.unknowns), functions)
-    tail = (sensitive, found.iterations)
+    kept = replace(kept, iterations=found.iterations)
     if not (found.converged and found.admissible):
-        return Kept(*head, "not-converged", None, None, *tail)
-    return _kept(head, tail, kernel, case, kernel.given(case, order), found.unknowns)
+        return kept
+    return _against_balls(kept, case, kernel, kernel.given(case, order), found.unknowns)
 
 
-def _kept(
-    head: tuple[str, str, int | None], tail: tuple[float, int], kernel: Kernel,
-    case: Case, arguments: Any, z: Vector,
-) -> Kept:  # fmt: skip
-    """Return how a solution of a kernel's equations compares with that in balls."""
+def _against_balls(kept: Kept, case: Case, kernel: Kernel, arguments: Any, z: Vector) -> Kept:
+    """Return what is kept of a solution of a kernel's equations, by that in balls."""
     z = _unknowns(case, kernel, z)
     J = np.empty((len(z), len(z)))
     kernel.jacobian(arguments, z, J)
-    number = float(np.linalg.cond(equilibrated(J)))
+    kept = replace(kept, condition=float(np.linalg.cond(equilibrated(J))))
     try:
-        precise = refine(kernel, arguments, z, DIGITS, _in_balls(case, head[1], arguments))
+        precise = refine(kernel, arguments, z, DIGITS, _in_balls(case, kept.method))
     except PrecisionError:
-        return Kept(*head, "not-converged", None, number, *tail)
+        return kept
     off = [float(abs(a - float(b))) for a, b in zip(precise, kernel.times(z), strict=True)]
     if case.cell.forced:
         off[-1] /= case.cell.omega
     period = float(np.sum(kernel.split(z)[0])) * case.cell.cells
-    return Kept(*head, "ok", max(off) / period, number, *tail)
+    return replace(kept, status="ok", error=max(off) / period)
 
 
 def _unknowns(case: Case, kernel: Kernel, z: Vector) -> Vector:
@@ -238,12 +229,11 @@ def _unknowns(case: Case, kernel: Kernel, z: Vector) -> Vector:
     return kernel.times(z) if case.scene.has_body else z
 
 
-def _in_balls(case: Case, method: str, arguments: Any) -> Callable[[], Residual] | None:
-    """Return what returns the equations of a method in balls; None for its own text in them."""
+def _in_balls(case: Case, method: str) -> Residual | None:
+    """Return the equations of a method in balls; None for its own text in them."""
     if case.scene.has_body:
-        residual = of_bodies.residual(method)
-        return lambda: lambda given, z, R: residual(arguments, z, R)
-    return (lambda: exact_balls.residual) if method == EXACT else None
+        return of_bodies.residual(method)
+    return exact_balls.residual if method == EXACT else None
 
 
 def condition(orbit: ExactOrbit) -> float:

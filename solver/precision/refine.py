@@ -4,7 +4,6 @@ Each step gains about as many digits as float64 has beyond the condition of the 
 is left is the radius of a ball about each time.
 """
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -27,20 +26,21 @@ def refine(
     arguments: Any,
     start: Vector,
     digits: int,
-    in_balls: Callable[[], Residual] | None = None,
+    residual: Residual | None = None,
 ) -> tuple[Any, ...]:
     """Return the times of a solution of a kernel's equations to so many digits, as balls.
 
     Parameters
     ----------
     kernel : Kernel
-        In plain Python: a generated one, or with `in_balls` any.
+        In plain Python: a generated one, or with `residual` any.
     arguments : object
         What its functions call the case; floats stand for their exact binary values.
     digits : int
         Decimal digits of the times, relative to their sum.
-    in_balls : callable, optional
-        Returns the residual over balls at the precision in force.
+    residual : callable, optional
+        The same equations over balls, of the arguments as they are, at the precision in force;
+        without it the text of the kernel.
 
     Raises
     ------
@@ -53,8 +53,10 @@ def refine(
     working = digits + GUARD
     while working <= MOST_DIGITS:
         with precision(working):
-            made = residual_in_balls(kernel.residual) if in_balls is None else in_balls()
-            found = _refined(kernel, made, as_balls(arguments), start, inverse, digits)
+            own, given = residual, arguments
+            if own is None:
+                own, given = residual_in_balls(kernel.residual), as_balls(arguments)
+            found = _refined(kernel, own, given, start, inverse, digits)
         if found is not None:
             return found
         working *= 2

@@ -119,7 +119,7 @@ def error_of(orbit: Orbit) -> float:
     """Return the largest error of a time against 40 digits, as a part of the period."""
     case, kernel = orbit.case, exact_kernel(orbit.case.cell)
     near = orbit.exact.outcome.unknowns
-    times = refine(kernel, case.cell, near, 40, lambda: exact_balls.residual)
+    times = refine(kernel, case.cell, near, 40, exact_balls.residual)
     found = [*orbit.cell_durations, *([orbit.angle] if kernel.forced else [])]
     off = [float(time - float(own)) for time, own in zip(times, found, strict=True)]
     if kernel.forced:

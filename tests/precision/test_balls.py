@@ -100,10 +100,9 @@ def test_solutions_have_the_digits_of_another_program(name, row) -> None:
     start = with_coefficients(kernel, given, kernel.size(row["order"]), rough)
     z = newton(kernel.iterate, given, start).unknowns
 
-    def in_decimals():
+    def in_decimals(given, z, R):
         exact = with_exact_numbers(given, scene_of(name), tuple(map(arb, parameters)))
-        own = residual_in_balls(kernel.residual)
-        return lambda case, z, R: own(exact, z, R)
+        residual_in_balls(kernel.residual)(exact, z, R)
 
     found = refine(kernel, given, z, 22, in_decimals)
     with precision(40):
@@ -120,9 +119,7 @@ def test_the_exact_equations_agree_with_an_expansion_that_has_converged(scene, o
     times = refine(kernel, given, orbit.unknowns, 22)
     exact = exact_orbit(orbit.case)
     cell = exact.case.cell
-    judge = refine(
-        exact_kernel(cell), cell, exact.outcome.unknowns, 22, lambda: exact_balls.residual
-    )
+    judge = refine(exact_kernel(cell), cell, exact.outcome.unknowns, 22, exact_balls.residual)
     turn = 2 * np.pi
     for p, (one, other) in enumerate(zip(times, judge, strict=True)):
         off = float(one - other)

@@ -76,10 +76,7 @@ def test_solutions_in_balls_are_those_of_the_kernels(r: Reference, method: str) 
     if status or np.min(durations) < 1e-6 * np.sum(durations):
         pytest.skip("of this order Newton's method finds none, or one without a phase")
     given = own.cell if method == "exact" else kernel.given(own, order)
-    left_sides = bodies.residual(method)
-    found = refine(
-        kernel, given, kernel.times(z), 22, lambda: lambda _, z, R: left_sides(given, z, R)
-    )
+    found = refine(kernel, given, kernel.times(z), 22, bodies.residual(method))
     scale = 1e-12 * float(np.sum(times[: len(r.durations)]))
     assert [float(q) for q in found] == pytest.approx(list(kernel.times(z)), rel=0, abs=scale)
     if method == "exact" and not r.name.startswith("beam"):  # of stiff matrices, in doubles

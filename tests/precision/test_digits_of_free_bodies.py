@@ -13,6 +13,7 @@ from bodies.test_large_and_free_bodies import FIRST, TWO, case
 pytest.importorskip("flint")
 
 from flint import arb
+from precision.test_digits_of_bodies import METHODS
 
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
@@ -21,9 +22,6 @@ from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.precision import bodies, digits
 from nonsmooth.solver.precision.balls import precision
 from nonsmooth.solver.precision.refine import refine
-
-#: Of each method its order and functions.
-METHODS = {"exact": (0, None), "ck-tau": (6, None), "hb": (5, None), "hb-ck": (9, 2)}
 
 
 @pytest.fixture(autouse=True)
@@ -79,10 +77,7 @@ def in_balls(given, method: str, order: int = 0, functions: int | None = None):
         kernel = registry.kernel(given.scene, method, functions)
         own = kernel.given(exact.case, order)
         times = kernel.times(attempt(kernel, exact.case, order, times, functions).unknowns)
-    left_sides = bodies.residual(method)
-    found = refine(
-        kernel, own, times, 22, lambda: lambda _, times, R: left_sides(own, times, R)
-    )
+    found = refine(kernel, own, times, 22, bodies.residual(method))
     assert all(float(q.rad()) < 1e-21 for q in found)
     assert [float(q) for q in found] == pytest.approx(list(times), rel=0, abs=1e-12)
     return found
