@@ -1,16 +1,17 @@
 """The best orbit of a case that is quick enough, timed on this machine."""
 
 import math
+from functools import partial
 
 from ..kernels import registry
 from ..no_orbit import NoOrbit
 from ..results.orbit import Orbit
 from ..scenes.case import Case
-from ..scenes.methods import about, in_order
+from ..scenes.methods import in_order
 from ..scenes.parameter_error import is_number
 from ..solve import number_of_functions, solve_case
 from .choice import Choice, TooSlow, Trial, size
-from .measured import FACTOR_ORDERS, POWER_ORDERS, median_seconds
+from .measured import orders, timed
 
 
 def choose_within(
@@ -50,12 +51,9 @@ def choose_within(
     finding: NoOrbit | None = None
     for name in (registry.generic_method(scene, name) for name in names):
         count = number_of_functions(case, name, functions)
-        lowest = registry.kernel(scene, name, count).lowest
-        for order in POWER_ORDERS if about(name).power else FACTOR_ORDERS:
-            if order < lowest:
-                continue
+        for order in orders(case, name, count):
             try:
-                orbit, seconds = _timed(case, name, order, count)
+                orbit, seconds = timed(partial(solve_case, case, name, order, count))
             except NoOrbit as found:
                 finding = found
                 trials.append(Trial(name, order, None))
@@ -71,10 +69,3 @@ def choose_within(
     if finding is not None and not times:
         raise finding
     raise TooSlow(budget, min(times, default=math.inf))
-
-
-def _timed(case: Case, method: str, order: int, functions: int | None) -> tuple[Orbit, float]:
-    def solved() -> Orbit:
-        return solve_case(case, method, order, functions)
-
-    return solved(), median_seconds(solved)

@@ -71,19 +71,15 @@ class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)
     ----------
     budget, fastest : float
         Seconds.
-    hint : str
-        What to do instead, if something.
     """
 
-    def __init__(self, budget: float, fastest: float, hint: str = "") -> None:
-        super().__init__(budget, fastest, hint)
-        self.budget = budget
-        self.fastest = fastest
-        self.hint = hint
+    def __init__(self, budget: float, fastest: float) -> None:
+        super().__init__(budget, fastest)
+        self.budget, self.fastest = budget, fastest
 
     def __str__(self) -> str:
-        found = f"a budget of {self.budget:.2g} s: the fastest orbit takes {self.fastest:.2g} s"
-        return f"{found} here{self.hint and '; '}{self.hint}"
+        budget, fastest = f"{self.budget:.2g} s", f"{self.fastest:.2g} s"
+        return f"a budget of {budget}: the fastest orbit takes {fastest} here"
 
 
 def size(errors: Errors) -> float:

@@ -4,7 +4,7 @@ import statistics
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 from ..exact import exact_orbit
 from ..kernels import registry
@@ -12,6 +12,9 @@ from ..no_orbit import NoOrbit
 from ..scenes.case import Case
 from ..scenes.methods import EXACT, about, in_order
 from ..solve import number_of_functions, solve_case
+
+#: What some work returns.
+Found = TypeVar("Found")
 
 #: Orders of a method whose errors fall by a power of the order, and by a factor with each.
 POWER_ORDERS = (1, 2, 4, 8, 16, 32, 64)
@@ -92,7 +95,7 @@ def trade(case: Case, progress: Callable[[str], None] = lambda done: None) -> Tr
     """
     exact = exact_orbit(case)
     start = exact.durations[: len(exact.case.cell.phases)], exact.forcing_phase or 0.0
-    seconds = median_seconds(lambda: exact_orbit(exact.case, *start))  # else it is looked up
+    _, seconds = timed(lambda: exact_orbit(exact.case, *start))  # else it is looked up
     points = [TradePoint(EXACT, None, None, seconds, ROUNDING, 0.0)]
     progress(EXACT)
     for method, order in ways(case):
@@ -107,21 +110,25 @@ def ways(case: Case) -> list[tuple[str, int]]:
     found = []
     for method in in_order(registry.methods(case.scene)):
         count = number_of_functions(case, method, None)
-        lowest = registry.kernel(case.scene, method, count).lowest
-        orders = POWER_ORDERS if about(method).power else FACTOR_ORDERS
-        found += [(method, order) for order in orders if order >= lowest]
+        found += [(method, order) for order in orders(case, method, count)]
     return found
+
+
+def orders(case: Case, method: str, functions: int | None) -> list[int]:
+    """Return the orders of a method that are measured: those it has."""
+    lowest = registry.kernel(case.scene, method, functions).lowest
+    every = POWER_ORDERS if about(method).power else FACTOR_ORDERS
+    return [order for order in every if order >= lowest]
 
 
 def _measured(case: Case, method: str, order: int) -> Iterable[TradePoint]:
     """Return the point of one method and order; none where it has no orbit to compare."""
     try:
-        orbit = solve_case(case, method, order)
+        orbit, seconds = timed(lambda: solve_case(case, method, order))
     except NoOrbit:
         return []
     if orbit.errors is None:
         return []
-    seconds = median_seconds(lambda: solve_case(case, method, order))
     error, judged = max(orbit.errors.times, ROUNDING), orbit.estimate.times
     return [TradePoint(orbit.method, order, orbit.functions, seconds, error, judged)]
 
@@ -142,12 +149,12 @@ def front(points: Sequence[tuple[float, float]]) -> set[int]:
     return found
 
 
-def median_seconds(work: Callable[[], object]) -> float:
-    """Return the median time of `work`, after one run that fills the caches."""
-    work()
+def timed(work: Callable[[], Found]) -> tuple[Found, float]:
+    """Return what `work` returns, and its median time after that run fills the caches."""
+    found = work()
     seen: list[float] = []
     while len(seen) < MOST_ROUNDS and sum(seen) < MEASURED:
         begin = time.perf_counter()
         work()
         seen.append(time.perf_counter() - begin)
-    return statistics.median(seen)
+    return found, statistics.median(seen)

@@ -32,16 +32,15 @@ COLUMNS: Columns = {
 @pytest.fixture(autouse=True)
 def few(monkeypatch: pytest.MonkeyPatch) -> None:
     """Try few orders, and let each take as long as its number of unknowns says."""
-    for module in (trades, budgets):
-        monkeypatch.setattr(module, "POWER_ORDERS", (2, 6))
-        monkeypatch.setattr(module, "FACTOR_ORDERS", (2, 4, 8))
+    monkeypatch.setattr(trades, "POWER_ORDERS", (2, 6))
+    monkeypatch.setattr(trades, "FACTOR_ORDERS", (2, 4, 8))
 
-    def seconds(work) -> float:
+    def timed(work):
         orbit = work()
-        return 1e-6 * len(orbit.outcome.unknowns)
+        return orbit, 1e-6 * len(orbit.outcome.unknowns)
 
-    monkeypatch.setattr(trades, "median_seconds", seconds)
-    monkeypatch.setattr(budgets, "median_seconds", seconds)
+    monkeypatch.setattr(trades, "timed", timed)
+    monkeypatch.setattr(budgets, "timed", timed)
 
 
 @pytest.fixture(scope="module")

@@ -27,7 +27,7 @@ ERRORS = (
     FileError(Path("a/b.json"), "damaged: not JSON"),
     ParameterError(["mass: got -1", "gapp: not a parameter"]),
     NoOrbit("none exists", True, ("one", "two")),
-    TooSlow(1e-9, 0.5, "raise it"),
+    TooSlow(1e-9, 0.5),
     NotCertified(1e-20, (TRIAL,), 0.0),
     Problem("--case: no\nsuch file", 1),
     SceneError("phases: none"),
