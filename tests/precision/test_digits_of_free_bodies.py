@@ -13,13 +13,13 @@ from bodies.test_large_and_free_bodies import FIRST, TWO, case
 pytest.importorskip("flint")
 
 from flint import arb
-from precision.test_digits_of_bodies import METHODS
+from precision.test_digits_of_bodies import METHODS, assert_kept
 
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.bodies import exact_kernel
 from nonsmooth.solver.orbit.solution import attempt
-from nonsmooth.solver.precision import bodies, digits
+from nonsmooth.solver.precision import bodies
 from nonsmooth.solver.precision.balls import precision
 from nonsmooth.solver.precision.refine import refine
 
@@ -124,18 +124,9 @@ def test_the_force_series_of_a_held_body_converges_to_the_exact_equations(name: 
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_times_keep_their_digits(name: str) -> None:
-    found = list(digits.at("", CASES[name](), (10,), None))
-    assert [kept.method for kept in found] == ["exact", "hb", "hb-ck", "ck-tau"]
-    for kept in found:
-        assert kept.status == "ok", kept
-        assert kept.met, kept
+    assert_kept(CASES[name]())
 
 
 @pytest.mark.parametrize("off", [1e-5, 1e-3])
 def test_harmonics_keep_digits_beside_a_resonance(off: float) -> None:
-    given = case(np.eye(2), (1 + off) * TWO, FIRST)
-    found = list(digits.at("", given, (10,), ("hb", "hb-ck")))
-    assert [kept.method for kept in found] == ["exact", "hb", "hb-ck"]
-    for kept in found:
-        assert kept.status == "ok", kept
-        assert kept.met, kept
+    assert_kept(case(np.eye(2), (1 + off) * TWO, FIRST), ("hb", "hb-ck"))

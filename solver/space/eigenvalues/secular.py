@@ -54,26 +54,20 @@ class Roots:
 
 def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
     """Return the lowest eigenvalues of a structure with its attachment, by bare modes."""
-    index = np.arange(len(bare.eigenvalues))
-    felt = bare.felt != 0
-    terms = _terms(bare, attached, felt)
+    felt, unit = bare.felt != 0, ROUNDINGS * EPS
+    kept, terms = np.flatnonzero(~felt)[:count], _terms(bare, attached, felt)
     origin, shift = _coupled(terms, count)
-    kept = index[~felt][:count]
-    all_origins = np.concatenate([origin, bare.eigenvalues[kept]])
-    all_shifts = np.concatenate([shift, np.zeros(len(kept))])
-    mark = np.concatenate([np.full(len(origin), -1), kept])
-    order = np.argsort(all_origins + all_shifts, kind="stable")[:count]
-    values = all_origins[order] + all_shifts[order]
-    coupled = mark[order] < 0
-    rounding = ROUNDINGS * EPS * values
-    rounding[~coupled] *= bare.inexact[mark[order][~coupled]]
-    if coupled.any():
-        found = _sensitivity(
-            terms, bare.inexact[felt], bare.off,
-            all_origins[order][coupled], all_shifts[order][coupled],
-        )  # fmt: skip
-        rounding[coupled] += ROUNDINGS * EPS * found
-    return Roots(all_origins[order], all_shifts[order], mark[order], rounding)
+    rounding = unit * (origin + shift)
+    if origin.size:
+        rounding += unit * _sensitivity(terms, bare.inexact[felt], bare.off, origin, shift)
+    every = Roots(
+        np.append(origin, bare.eigenvalues[kept]),
+        np.append(shift, np.zeros(len(kept))),
+        np.append(np.full(len(origin), -1), kept),
+        np.append(rounding, unit * bare.eigenvalues[kept] * bare.inexact[kept]),
+    )
+    order = np.argsort(every.values, kind="stable")[:count]
+    return Roots(*(field[order] for field in vars(every).values()))
 
 
 @dataclass(frozen=True)
