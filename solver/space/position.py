@@ -12,9 +12,6 @@ from ..arrays import Vector
 #: Numbers of modes.
 Integers: TypeAlias = npt.NDArray[np.int_]
 
-#: Multiples of the place up to which the sines of modes are reduced in whole numbers.
-EXACTLY = 5000
-
 
 def as_position(value: object) -> Fraction:
     """Return a place between the ends, as a part of the length, as the fraction that was meant.
@@ -56,31 +53,15 @@ def as_position(value: object) -> Fraction:
 def sines(numbers_: Integers, a: Fraction) -> tuple[Vector, Vector]:
     """Return ``sin(n pi a)`` and ``cos(n pi a)``; zero where they are zero exactly.
 
-    Up to `EXACTLY` the multiples are reduced in whole numbers.
+    The multiples ``pi p/Q`` are reduced in whole numbers, to the first eighth of a turn.
     """
     P, Q = a.numerator, a.denominator
-    n = np.asarray(numbers_)
-    if n.size and int(n.max()) > EXACTLY:
-        # 2 n a loses n eps of itself: from the nearer end
-        angle = np.pi * np.fmod(n * float(min(a, 1 - a)), 2.0)
-        sign = np.where((n % 2 == 0) | (2 * a <= 1), 1.0, -1.0)
-        return np.where(2 * a > 1, -sign, 1.0) * np.sin(angle), sign * np.cos(angle)
-    found = [_exact(int(k) * P % (2 * Q), Q) for k in n.ravel()]
-    both = np.array(found, dtype=float).reshape((*n.shape, 2))
-    return both[..., 0], both[..., 1]
-
-
-def _exact(p: int, Q: int) -> tuple[float, float]:
-    """Return sine and cosine of ``pi p/Q``, ``0 <= p < 2 Q``, from the first eighth."""
-    sign = 1.0
-    if p >= Q:
-        p, sign = p - Q, -1.0
+    p = np.asarray(numbers_).astype(object) * P % (2 * Q)
+    sign, p = np.where(p >= Q, -1.0, 1.0), p % Q
     flipped = 2 * p > Q
-    if flipped:
-        p = Q - p
-    if 4 * p <= Q:
-        sine, cosine = np.sin(np.pi * (p / Q)), np.cos(np.pi * (p / Q))
-    else:
-        rest = np.pi * ((Q - 2 * p) / (2 * Q))
-        sine, cosine = np.cos(rest), np.sin(rest)
-    return sign * sine, sign * (-cosine if flipped else cosine)
+    p = np.where(flipped, Q - p, p)
+    beyond = 4 * p > Q  # there the sine of the rest of a quarter is the cosine
+    angle = np.pi * np.where(beyond, (Q - 2 * p) / (2 * Q), p / Q).astype(float)
+    both = np.sin(angle), np.cos(angle)
+    sine, cosine = np.where(beyond, both[::-1], both)
+    return sign * sine, sign * np.where(flipped, -cosine, cosine)

@@ -63,8 +63,8 @@ MUTANTS = (
     Mutant(
         "sines of a fraction are not reduced in whole numbers",
         "solver/space/position.py",
-        "    found = [_exact(int(k) * P % (2 * Q), Q) for k in n.ravel()]",
-        "    found = [(np.sin(np.pi * k * P / Q), np.cos(np.pi * k * P / Q)) for k in n.ravel()]",
+        "    p = np.asarray(numbers_).astype(object) * P % (2 * Q)",
+        "    p = np.asarray(numbers_) * float(a) % 2 * Q",
         REFERENCES,
     ),
     Mutant(
