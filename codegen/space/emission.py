@@ -1,7 +1,5 @@
 """Structures as the text of ``generated/space/``: data, and closed forms by `lambdify`."""
 
-from collections.abc import Iterable
-
 import sympy as sp
 from sympy.codegen.cfunctions import expm1
 
@@ -46,7 +44,7 @@ def sources() -> dict[str, str]:
     """Return the text of each generated file, by its place in ``generated/``."""
     files = {
         "space/__init__.py": INIT,
-        "space/structures.py": data_source(STRUCTURES.values()),
+        "space/structures.py": DATA.format(records="".join(map(_record, STRUCTURES.values()))),
     }
     for structure in STRUCTURES.values():
         name = structure.name.replace("-", "_")
@@ -146,11 +144,6 @@ def _collected(term: sp.Expr) -> sp.Expr:
     if exponent.has(a):
         exponent = exponent.subs(b, 1 - a)
     return sp.Mul(*others) * sp.exp(sp.collect(sp.expand(exponent), beta))
-
-
-def data_source(structures: Iterable[Structure]) -> str:
-    """Return the text of the module that says what the structures are; it imports nothing."""
-    return DATA.format(records="".join(map(_record, structures)))
 
 
 def _record(structure: Structure) -> str:

@@ -61,6 +61,7 @@ def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
     for q, law in enumerate(frame.laws):
         compliance = frame.compliance(law)
         apart = {d: frame.integral(q, d * step) for d in range(1 - J, J)}
+        back = np.array([acb(g).conjugate() for g in law.turn], dtype=object)
         found = np.full((J, contacts, breaks), acb(0), dtype=object)
         for h, eta in enumerate(frame.turns):
             for other in range(J):
@@ -72,7 +73,6 @@ def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
             alone = frame.integral(q, -eta)
             rows[h, :, frame.memory :] = rows[h, :, frame.memory :] - law.memory * alone
             ahead, behind = (frame.integral(q, g * frame.drive - eta) for g in (1, -1))
-            back = np.array([acb(g).conjugate() for g in law.turn], dtype=object)
             driven = law.turn * turn * ahead + back * turn.conjugate() * behind
             right[h] = right[h] + driven + law.constant * alone
         between = slice(frame.waves, frame.memory)

@@ -122,11 +122,6 @@ class _Sines:
         self.sin_b, self.cos_b = _turned(-sign * sine, sign * cosine, offset * b)
 
 
-def _not_zero(offset: Vector) -> Vector:
-    """Return an offset so small for none: its limits have all digits, and none is infinite."""
-    return np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
-
-
 def _turned(sine: Vector, cosine: Vector, by: Vector) -> tuple[Vector, Vector]:
     return sine * np.cos(by) + cosine * np.sin(by), cosine * np.cos(by) - sine * np.sin(by)
 
@@ -171,7 +166,9 @@ class _Equation:
         self.sums = np.flatnonzero((origin * end < 1) & (origin <= HIGHEST))
 
     def __call__(self, offset: Vector) -> Vector:
-        structure, offset = self.attached.structure, _not_zero(offset)
+        structure = self.attached.structure
+        # so small for none that limits have all their digits, and none is infinite
+        offset = np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
         beta = self.origin * np.pi + offset
         factor = np.where(self.origin == 0, 1.0, offset)
         G = factor * self._receptance(beta, offset)
