@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "5d70d46feca7007bb8a37dc863bd63b8ada16ff8228f709bb156b05ff377cb3a"  # of the closed forms, by srepr
-BODY = "5d713081cfb15634910a0c8ff0adfbc8a63fa4ecc0a98d0684ff03326346b348"  # of the text below
+BODY = "6a11bad43fc52f037a71457cee0f93f6d42f2e52df786823cef47e97e94255af"  # of the text below
 
 FREE = 0
 CLASS = 1
@@ -899,15 +899,28 @@ def add_cosine(rows, row, factor, z, ends, omega, at_s, q):
             add_angle(rows, row, -factor * sin(angle), omega, 1 + at_s, q)
 
 
+def add_beside(case, z, at, ends, motion, at_ends, series, rows):
+    """Add what stands beside the harmonics, and its conditions; return its states.
+
+    They are as from `beside_series`.
+    """
+    kinds, sign, count, N = case[0], case[4][0], motion.shape[1], at[0] // 2
+    others = beside_series(kinds, sign, z, at, at_ends.shape[1] - 1, rows.shape[1])
+    if top(kinds) > 0:
+        period = ends[len(kinds)] * (2 if odd(sign) else 1)
+        tables = break_tables(kinds, sign, ends)
+        moments = harmonic_moments(sign, ends, period, count, top(kinds) + 1)
+        add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows)
+        add_break_states(case, z, at, ends, tables[1], others)
+    add_switches(case, z, at, ends, series, others, rows)
+    return others
+
+
 def fill(case, z, rows):
     """Fill rows, which are zero, with the left sides of the conditions and derivatives."""
     kinds, numbers, setting, _, cell = case[:5]
-    sign, N, phases, rates = (
-        cell[0],
-        (len(z) - beside(case)) // 2,
-        len(kinds),
-        rows.shape[1] > 1,
-    )
+    sign, phases, rates = cell[0], len(kinds), rows.shape[1] > 1
+    N = (len(z) - beside(case)) // 2
     at = places(case, N)
     at_s = at[phases] + len(setting)
     ends, period = times(z, at_s, sign, phases)
@@ -920,13 +933,7 @@ def fill(case, z, rows):
     add_forces(case, z, at[phases], ends, period, integrals, N, rows)
     add_impulses(case, z, at, ends, at_ends, N, rows)
     series = series_at_ends(sign, motion, ends, at_ends, at_s, N, rows.shape[1])
-    others = beside_series(kinds, sign, z, at, highest, rows.shape[1])
-    if top(kinds) > 0:
-        tables = break_tables(kinds, sign, ends)
-        moments = harmonic_moments(sign, ends, period, count, top(kinds) + 1)
-        add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows)
-        add_break_states(case, z, at, ends, tables[1], others)
-    add_switches(case, z, at, ends, series, others, rows)
+    others = add_beside(case, z, at, ends, motion, at_ends, series, rows)
     add_closure(case, z, at[phases], ends, series, others, rows)
     if rates and not odd(sign):
         rows[:, 1] /= 2
@@ -961,9 +968,17 @@ def motion(case, z, p, u, derivative):
     found = series_on_phase(
         0.0, a, b, numbers, 2 * pi / period, ends[p], s, begins, leaves, u, derivative
     )
-    series = break_tables(kinds, sign, ends)[0]
-    for q in range(count):
-        for i in range(kinds[q, BESIDE]):
-            on_phase = series[q, p, kinds[q, CLASS] + 2 + i]
-            found = found + z[at[q] + i] * legendre_on_phase(on_phase, s, u, derivative)
+    for factor, series in on_phase(case, z, at, ends, p):
+        found = found + factor * legendre_on_phase(series, s, u, derivative)
     return found
+
+
+def on_phase(case, z, at, ends, p):
+    """Return the functions beside the harmonics on a phase: factors and Legendre series."""
+    kinds, sign = case[0], case[4][0]
+    series = break_tables(kinds, sign, ends)[0]
+    return [
+        (z[at[q] + i], series[q, p, kinds[q, CLASS] + 2 + i])
+        for q in range(len(kinds))
+        for i in range(kinds[q, BESIDE])
+    ]

@@ -13,15 +13,20 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.polynomial import legendre
 
-MATHEMATICS = "22d699d8a8e76ea77df26c3908e7a3bf157242147f8e85d945818a19479d5140"  # of the closed forms, by srepr
-BODY = "3a0c5ba5546703cceccd76c628fb19b0eb975527cb7dd859c53211ddaf511cea"  # of the text below
+MATHEMATICS = "d77a399e2391898f2e2596c9c7046bef6447c6ec7f914af32641be83a8bc0bbe"  # of the closed forms, by srepr
+BODY = "865eb1ca5a0eaa6e0401f0523653eab488fb84a6520a35e926177cb5cf056a61"  # of the text below
 
+CLASS = 1
+BESIDE = 2
 M = 0
 C = 1
 K = 2
 F = 3
+G = 4
 E_X = 7
+E_COS = 9
 E_0 = 10
+MEMORY = 11
 
 
 def products(j, n, C, S):
@@ -41,6 +46,14 @@ def alone(above, own):
         0.0,
         0.0,
         above/2 + own/2,
+    )
+
+
+def of_forcing(j, cycles, cosine, sine, C, S):
+    """Return the integrals of sine and cosine j with the forcing."""
+    return (
+        (cosine*S[cycles + j])/2 - (cosine*S[cycles - j])/2 + (sine*C[cycles + j])/2 - (sine*C[cycles - j])/2,
+        (cosine*C[cycles + j])/2 + (cosine*C[cycles - j])/2 - (sine*S[cycles + j])/2 - (sine*S[cycles - j])/2,
     )
 
 
@@ -175,6 +188,24 @@ def spherical_bessel(x, j):
         j[n] *= j[n - 1]
 
 
+def legendre_moments(kappa, theta, moments):
+    """Fill in the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    moments : ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    spherical_bessel(kappa / 2, moments[0])
+    middle = kappa / 2 + theta
+    c, s = cos(middle), sin(middle)
+    for l in range(moments.shape[1]):
+        turn = l % 4
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        bessel = moments[0, l]
+        moments[0, l], moments[1, l] = bessel * value, bessel * ahead
+
+
 def multiples(angle, highest):
     """Return ``cos(k angle)`` and ``sin(k angle)`` for k up to `highest`.
 
@@ -300,6 +331,13 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
+def add_angle(J, row, factor, omega, at_s, count):
+    """Add a factor times the angle of the forcing where a phase begins to a row of J."""
+    J[row, J.shape[1] - 1] += factor
+    for q in range(count):
+        J[row, at_s + q] += omega * factor
+
+
 def legendre_on_phase(series, duration, u, derivative):
     """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
     w = 2 * np.asarray(u, dtype=float) - 1
@@ -325,9 +363,38 @@ def cosine_place(sign, N, i):
     return 0 if i == 0 and not odd(sign) else N + i
 
 
-def size(case, N):
-    """Return the number of unknowns."""
-    return 2 * N + 4
+def jumps(kinds, p):
+    """Return whether the velocity jumps where phase p begins, with no function for it."""
+    return kinds[p, CLASS] == 0 and kinds[p, BESIDE] == 0
+
+
+def own(kinds, p):
+    """Return how many unknowns, and conditions, the switch that begins phase p has."""
+    return 1 if p == 0 else 0
+
+
+def beside(case):
+    """Return how many unknowns there are beside the harmonics of numbers 1 and beyond."""
+    kinds, _, setting, _, cell = case[:5]
+    found = len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
+    for p in range(len(kinds)):
+        found += own(kinds, p)
+    return found if odd(cell[0]) else found + 1
+
+
+def size(case, order):
+    """Return the number of unknowns; of half a period the order is the highest harmonic."""
+    return beside(case) + 2 * ((order + 1) // 2 if odd(case[4][0]) else order)
+
+
+def places(case, N):
+    """Return where the unknowns of each switch begin, and those behind all of them."""
+    kinds, sign = case[0], case[4][0]
+    at = np.zeros(len(kinds) + 1, dtype=np.int64)
+    at[0] = 2 * N if odd(sign) else 2 * N + 1
+    for p in range(len(kinds)):
+        at[p + 1] = at[p] + own(kinds, p)
+    return at
 
 
 def times(z, at_s, sign, phases):
@@ -412,6 +479,22 @@ def is_same(numbers, column):
     return same
 
 
+def cycles_of(cell):
+    """Return how many periods of the forcing there are in the period."""
+    found = 0
+    while found * (1 if odd(cell[0]) else 2) < cell[2]:
+        found += 1
+    return found
+
+
+def highest_number(numbers, cell, last):
+    """Return the highest number of a harmonic that is integrated: of products, or forcing."""
+    same = True
+    for order in range(3):
+        same = same and is_same(numbers, K - order)
+    return last + max(0 if same else last, cycles_of(cell))
+
+
 def add_harmonics(numbers, sign, motion, ends, period, integrals, at_s, rows):
     """Add to (5), (6), (7) what the harmonics make of the left side of the equation.
 
@@ -486,11 +569,70 @@ def add_alone(whole, order, sign, motion, ends, at_s, rows):
             rows[place, 1 + at_s + r] += (1 - order) / ends[phases] * by_cosine
 
 
+def add_forces(case, z, at_w, ends, period, integrals, N, rows):
+    """Add what constant force, memory and forcing make of the right side."""
+    kinds, numbers, setting, _, cell = case[:5]
+    more, at_s = len(setting), at_w + len(setting)
+    if more > 0 or not is_same(numbers, F) or numbers[0, F] != 0:
+        force = np.zeros((len(kinds), 1))
+        for p in range(len(kinds)):
+            force[p, 0] = numbers[p, F]
+            for i in range(more):
+                force[p, 0] = force[p, 0] + numbers[p, MEMORY + i] * z[at_w + i]
+        table = weighted_integrals(integrals, force[:, 0], 0, ends, period)
+        for r in range(table.shape[1]):
+            add_force(table[0, r], table[1, r], cell[0], N, rows, at_s + r if r > 0 else 0)
+    for i in range(more if rows.shape[1] > 1 else 0):
+        table = weighted_integrals(integrals, numbers[:, MEMORY + i], 0, ends, period)
+        add_force(table[0, 0], table[1, 0], cell[0], N, rows, 1 + at_w + i)
+    if cell[2] != 0:
+        cosine, sine = cos(z[len(z) - 1]), sin(z[len(z) - 1])
+        table = weighted_integrals(integrals, numbers[:, G], 0, ends, period)
+        for r in range(table.shape[1]):
+            column = at_s + r if r > 0 else 0
+            add_forcing(table[0, r], table[1, r], cosine, sine, cell, N, rows, column)
+        if rows.shape[1] > 1:
+            add_forcing(table[0, 0], table[1, 0], -sine, cosine, cell, N, rows, len(z))
+
+
 def add_force(C, S, sign, N, rows, column):
     """Take the integrals of a force with sines and cosines from their rows."""
     for i in range(N if odd(sign) else N + 1):
         rows[i, column] -= S[number(sign, i)]
         rows[cosine_place(sign, N, i), column] -= C[number(sign, i)]
+
+
+def add_forcing(C, S, cosine, sine, cell, N, rows, column):
+    """Take those of the forcing from them, with its cosine and sine at the first switch."""
+    sign, cycles = cell[0], cycles_of(cell)
+    for i in range(N if odd(sign) else N + 1):
+        by_sine, by_cosine = of_forcing(number(sign, i), cycles, cosine, sine, C, S)
+        rows[i, column] -= by_sine
+        rows[cosine_place(sign, N, i), column] -= by_cosine
+
+
+def add_impulses(case, z, at, ends, at_ends, N, rows):
+    """Take the impulses, where the velocity jumps, times the tests from their rows."""
+    kinds, numbers, setting, _, cell = case[:5]
+    phases, at_s = len(kinds), at[len(kinds)] + len(setting)
+    for p in range(phases):
+        for i in range(at_ends.shape[3] if jumps(kinds, p) else 0):
+            for wave in range(2):
+                row = cosine_place(cell[0], N, i) if wave == 1 else i
+                rows[row, 0] -= z[at[p]] * numbers[p, M] * at_ends[p, 0, wave, i]
+                if rows.shape[1] > 1:
+                    rows[row, 1 + at[p]] -= numbers[p, M] * at_ends[p, 0, wave, i]
+                    rate = z[at[p]] * numbers[p, M] * at_ends[p, 1, wave, i]
+                    for r in range(phases):
+                        rows[row, 1 + at_s + r] -= rate * moved(ends, r, p)
+
+
+def highest_derivative(kinds):
+    """Return the highest derivative of the displacement in a condition."""
+    found = 1
+    for p in range(len(kinds)):
+        found = max(found, kinds[p, CLASS] + kinds[p, BESIDE])
+    return found
 
 
 def beside_series(z, ends, series, N, width):
@@ -522,22 +664,75 @@ def add_state(rows, row, factor, series, others, p, side, order):
         rows[row, i] += factor * (series[p + side, order, i] + others[p, side, order, i])
 
 
+def add_closure(case, z, at_w, ends, series, others, rows):
+    """Add the events, what each memory is set to, and the duration of the cell."""
+    kinds, numbers, setting, memory, cell = case[:5]
+    count, more, rates = len(kinds), len(setting), rows.shape[1] > 1
+    at_s = at_w + more
+    for p in range(count):
+        row = at_w + p
+        rows[row, 0] += numbers[p, E_0]
+        for order in range(2):
+            add_state(rows, row, numbers[p, E_X + order], series, others, p, 1, order)
+        for i in range(more):
+            rows[row, 0] += numbers[p, MEMORY + more + i] * z[at_w + i]
+            if rates:
+                rows[row, 1 + at_w + i] += numbers[p, MEMORY + more + i]
+        add_cosine(rows, row, numbers[p, E_COS], z, ends, cell[1], at_s, p + 1)
+    for i in range(more):
+        row, p = at_w + count + i, setting[i]
+        rows[row, 0] += z[at_w + i] - memory[i, 3]
+        if rates:
+            rows[row, 1 + at_w + i] += 1.0
+        for order in range(2):
+            add_state(rows, row, -memory[i, order], series, others, p, 0, order)
+        add_cosine(rows, row, -memory[i, 2], z, ends, cell[1], at_s, p)
+    if cell[2] != 0:
+        row = at_s + count
+        rows[row, 0] -= cell[2] * pi / cell[1]
+        for p in range(count):
+            rows[row, 0] += z[at_s + p]
+            if rates:
+                rows[row, 1 + at_s + p] += 1.0
+
+
+def add_cosine(rows, row, factor, z, ends, omega, at_s, q):
+    """Add a factor times the forcing where phase q begins, or the last one ends, to a row."""
+    if factor != 0:
+        angle = z[len(z) - 1] + omega * ends[q]
+        rows[row, 0] += factor * cos(angle)
+        if rows.shape[1] > 1:
+            add_angle(rows, row, -factor * sin(angle), omega, 1 + at_s, q)
+
+
+def add_beside(case, z, at, ends, motion, at_ends, series, rows):
+    """Add the function to the conditions; return what the state has beside the harmonics."""
+    at_s = at[2]
+    functions = function_series(z[at_s], z[at_s + 1], rows.shape[1] > 1)
+    add_function(case, z, motion, ends, functions, rows)
+    return beside_series(z, ends, functions, motion.shape[1] - 1, rows.shape[1])
+
+
 def fill(case, z, rows):
     """Fill rows, which are zero, with the left sides of the conditions and derivatives."""
-    numbers, N, rates = case[1], (len(z) - 4) // 2, rows.shape[1] > 1
-    at_s, width = 2 * N + 2, rows.shape[1]
-    ends, T = times(z, at_s, 1.0, 2)
-    motion = amplitudes(z, 1.0, N)
-    integrals = harmonic_integrals(ends, T, 2 * N, rates)
-    at_ends = waves(1.0, ends, T, N + 1, 2)
-    add_harmonics(numbers, 1.0, motion, ends, T, integrals, at_s, rows)
-    add_constant_force(numbers, at_s, integrals, ends, N, rows)
-    series = function_series(z[at_s], z[at_s + 1], rates)
-    add_function(case, z, motion, ends, series, rows)
-    harmonics = series_at_ends(1.0, motion, ends, at_ends, at_s, N, width)
-    others = beside_series(z, ends, series, N, width)
-    add_events(numbers, at_s, harmonics, others, rows)
-    if rates:
+    kinds, numbers, setting, _, cell = case[:5]
+    sign, phases, rates = cell[0], len(kinds), rows.shape[1] > 1
+    N = (len(z) - beside(case)) // 2
+    at = places(case, N)
+    at_s = at[phases] + len(setting)
+    ends, period = times(z, at_s, sign, phases)
+    motion = amplitudes(z, sign, N)
+    count, highest = motion.shape[1], highest_derivative(kinds)
+    last = highest_number(numbers, cell, number(sign, count - 1))
+    integrals = harmonic_integrals(ends, period, last, rates)
+    at_ends = waves(sign, ends, period, count, highest + 1)
+    add_harmonics(numbers, sign, motion, ends, period, integrals, at_s, rows)
+    add_forces(case, z, at[phases], ends, period, integrals, N, rows)
+    add_impulses(case, z, at, ends, at_ends, N, rows)
+    series = series_at_ends(sign, motion, ends, at_ends, at_s, N, rows.shape[1])
+    others = add_beside(case, z, at, ends, motion, at_ends, series, rows)
+    add_closure(case, z, at[phases], ends, series, others, rows)
+    if rates and not odd(sign):
         rows[:, 1] /= 2
 
 
@@ -556,15 +751,29 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    if not 0 <= p < 2:
+    kinds, sign, count = case[0], case[4][0], len(case[0])
+    if not 0 <= p < count:
         raise IndexError("p")
-    N = (len(z) - 4) // 2
-    ends, T = times(z, 2 * N + 2, 1.0, 2)
-    (a, b), s = amplitudes(z, 1.0, N), ends[p + 1] - ends[p]
-    numbers, omega_0 = np.arange(0, N + 1), 2 * pi / T
-    found = series_on_phase(0.0, a, b, numbers, omega_0, ends[p], s, 0.0, 0.0, u, derivative)
-    series = function_series(z[2 * N + 2], z[2 * N + 3], False)[p, 0, 3]
-    return found + z[2 * N + 1] * legendre_on_phase(series, s, u, derivative)
+    N = (len(z) - beside(case)) // 2
+    at = places(case, N)
+    ends, period = times(z, at[count] + len(case[2]), sign, count)
+    (a, b), s = amplitudes(z, sign, N), ends[p + 1] - ends[p]
+    numbers = np.arange(1, 2 * N, 2) if odd(sign) else np.arange(0, N + 1)
+    q, turned = (p + 1, 1.0) if p + 1 < count else (0, sign)
+    begins = z[at[p]] if jumps(kinds, p) else 0.0
+    leaves = turned * z[at[q]] if jumps(kinds, q) else 0.0
+    found = series_on_phase(
+        0.0, a, b, numbers, 2 * pi / period, ends[p], s, begins, leaves, u, derivative
+    )
+    for factor, series in on_phase(case, z, at, ends, p):
+        found = found + factor * legendre_on_phase(series, s, u, derivative)
+    return found
+
+
+def on_phase(case, z, at, ends, p):
+    """Return the functions beside the harmonics on a phase: factors and Legendre series."""
+    at_s = at[2]
+    return [(z[at[0]], function_series(z[at_s], z[at_s + 1], False)[p, 0, 3])]
 
 
 def function_series(held, free, rates):
@@ -612,9 +821,8 @@ def function_integrals(series, numbers, ends, count):
         derivatives by both durations.
     """
     rows, T = series.shape[1], ends[2]
-    omega = 2 * pi / T
     found, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
-    even, odd, bessel = np.zeros(5), np.zeros(5), np.zeros(5)
+    waves, moments = np.zeros((2, 2, 5)), np.zeros((2, 5))
     for q in range(2):
         m, k = numbers[q, M], numbers[q, K]
         s, t = ends[q + 1] - ends[q], ends[q]
@@ -625,28 +833,23 @@ def function_integrals(series, numbers, ends, count):
                 change = series[q, r, 1, l] * m / T**2 - 2 * bent / T
                 rho[r, l] = k * series[q, r, 3, l] + change
         for column in range(count):
-            w = column * omega
-            spherical_bessel(w * s / 2, bessel)
-            for turned in range(2):  # the sine is the cosine, a quarter turn back
-                middle = w * (t + s / 2) - turned * pi / 2
-                co, si = cos(middle), sin(middle)
-                for l in range(5):
-                    turn = l % 4
-                    value = co if turn == 0 else -si if turn == 1 else -co if turn == 2 else si
-                    ahead = -si if turn == 0 else -co if turn == 1 else si if turn == 2 else co
-                    even[l], odd[l] = value * bessel[l], ahead * bessel[l]
+            w = column * (2 * pi / T)
+            legendre_moments(w * s, w * t, moments)
+            waves[0], waves[1, 0], waves[1, 1] = moments, -moments[1], moments[0]
+            for wave in range(2):
+                own, turned = waves[wave, 0], waves[wave, 1]
                 for l in range(4):
-                    found[turned, 0, column] += s * rho[0, l] * even[l]
+                    found[wave, 0, column] += s * rho[0, l] * own[l]
                 for l in range(4 if rows > 1 else 0):
-                    near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
-                    stretch = (odd[l] + near / (2 * l + 1)) / 2
+                    near = (l + 1) * turned[l + 1] + (l * turned[l - 1] if l > 0 else 0.0)
+                    stretch = (turned[l] + near / (2 * l + 1)) / 2
                     for r in range(2):
                         by_kappa = w * ((1.0 if r == q else 0.0) - s / T)
                         by_theta = w * ((1.0 if r < q else 0.0) - t / T)
-                        slope = by_kappa * stretch + by_theta * odd[l]
-                        change = rho[1 + r, l] * even[l] + rho[0, l] * slope
-                        own = rho[0, l] * even[l] if r == q else 0.0
-                        found[turned, 1 + r, column] += s * change + own
+                        slope = by_kappa * stretch + by_theta * turned[l]
+                        change = rho[1 + r, l] * own[l] + rho[0, l] * slope
+                        longer = rho[0, l] * own[l] if r == q else 0.0
+                        found[wave, 1 + r, column] += s * change + longer
     return found
 
 
@@ -672,19 +875,3 @@ def add_function(case, z, motion, ends, series, rows):
         rows[own, at_s + r if r > 0 else 0] += c1 * left[r] - right[r]
     if rows.shape[1] > 1:
         rows[own, 1 + own] += left[0]
-
-
-def add_constant_force(numbers, at_s, integrals, ends, N, rows):
-    """Take the integrals of the force with harmonics from their rows."""
-    force = weighted_integrals(integrals, numbers[:, F], 0, ends, ends[2])
-    for r in range(force.shape[1]):
-        column = at_s + r if r > 0 else 0
-        add_force(force[0, r], force[1, r], 1.0, N, rows, column)
-
-
-def add_events(numbers, at_s, harmonics, others, rows):
-    """Add the events that end the phases."""
-    for p in range(2):
-        rows[at_s + p, 0] += numbers[p, E_0]
-        for order in range(2):
-            add_state(rows, at_s + p, numbers[p, E_X + order], harmonics, others, p, 1, order)

@@ -1,8 +1,8 @@
 """Motions that are one series over the whole period, as one module of kernels for any scene.
 
-The closed forms are those of a scene of one phase, with the coefficients of its equation as
-symbols.  What they multiply, the integrals of harmonics with these coefficients, the loops sum
-over the phases of any scene.
+The closed forms are those of one phase, with the coefficients of its equation as symbols.  What
+they multiply, the integrals of harmonics with these coefficients, the loops sum over the phases
+of any scene.
 """
 
 import re
@@ -14,11 +14,9 @@ import sympy as sp
 from ..expansions import hb, hb_ck
 from ..galerkin import Times
 from ..galerkin.condition import cycles, phi
-from ..galerkin.harmonics import Harmonics, a, b, j, n
+from ..galerkin.harmonics import POWERS, Harmonics, a, b, j, n
 from ..galerkin.legendre import integrated, l
 from ..galerkin.terms import weights
-from ..scene import Event, Parameter, Phase, Scene, forcing, v, x
-from ..scene import a as acceleration
 from ..scene.smoothness import HIGHEST
 from .runtime import breaking, fourier, harmonics, joints, moments, orthogonality, whole_period
 from .text import ClosedForm, functions_of, module_text
@@ -40,37 +38,16 @@ ENTRIES = ("size", "residual", "jacobian", "motion")
 #: The highest n of a function with a break: of the highest class, with the most functions.
 LAST = HIGHEST + max(hb_ck.FUNCTIONS)
 
-m, c, k, f, g, rho = sp.symbols("m c k f g rho", positive=True)
-Omega, omega, time = sp.symbols("Omega omega time", positive=True)
+omega, time = sp.symbols("omega time", positive=True)
 sine, cosine, above, own = sp.symbols("sine cosine above own", real=True)
 C, S = sp.IndexedBase("C"), sp.IndexedBase("S")
 
 
 @cache
 def of_any_scene() -> Harmonics:
-    """Return the harmonics of one phase of any scene, at whose end the velocity jumps."""
-    scene = Scene(
-        "any",
-        "one phase",
-        parameters=(
-            Parameter("mass", m, "kg", 1.0, "of the acceleration"),
-            Parameter("damping", c, "N s/m", 1.0, "of the velocity"),
-            Parameter("stiffness", k, "N/m", 1.0, "of the displacement"),
-            Parameter("force", f, "N", 1.0, "on the right side"),
-            Parameter("amplitude", g, "N", 1.0, "of the forcing"),
-            Parameter("frequency", Omega, "rad/s", 1.0, "of the forcing"),
-            Parameter("ratio", rho, "", 1.0, "of the velocities at the jump"),
-        ),
-        phases=(
-            Phase(
-                "any",
-                m * acceleration + c * v + k * x - f - g * forcing,
-                Event(x, {v: rho * v}),
-            ),
-        ),
-        frequency=Omega,
-    )
-    return Harmonics(scene, Times.of(scene))
+    """Return the harmonics of one phase of any scene."""
+    times = Times((sp.Symbol("s", positive=True),), sp.Symbol("Omega", positive=True), 1)
+    return Harmonics(times, {name: (sp.Symbol(name, positive=True),) for name in POWERS})
 
 
 def closed_forms() -> Iterator[ClosedForm]:
@@ -147,7 +124,10 @@ def module_source() -> str:
 
 
 def called(functions: Sequence[str]) -> list[str]:
-    """Return the functions of a kernel that its entries call, from the text of all."""
+    """Return the functions of a kernel that its entries call, from the text of all.
+
+    Of two with one name the second takes the place of the first.
+    """
     by_name = {re.findall(r"def (\w+)", text)[0]: text for text in functions}
     wanted, found = list(ENTRIES), set()
     while wanted:

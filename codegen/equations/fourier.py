@@ -27,7 +27,7 @@ class Fourier:
     def __init__(self, conditions: GalerkinConditions) -> None:
         self.conditions = conditions
         self.notation = Notation.of(conditions.scene)
-        self.harmonics = Harmonics(conditions.scene, self.notation.times)
+        self.harmonics = Harmonics.of(conditions.scene)
         self.overlaps = Overlaps.of(self.notation, self.harmonics)
         self.beside: Breaks | OneFunction = (
             OneFunction(self.notation)

@@ -13,7 +13,7 @@ from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.bodies import BodyConditions
 from ..galerkin.bodies import harmonics as of_forces
 from ..galerkin.condition import N
-from ..galerkin.harmonics import Harmonics, a, a0, angle, b, equations, j, n
+from ..galerkin.harmonics import Harmonics, a, a0, angle, b, j, n
 from ..scene import Scene, Switch, switches, v
 from . import About
 
@@ -65,7 +65,7 @@ def _row(
     if not harmonics.odd:
         expression += a0 / 2 * harmonics.over_cell("k", test)
     for p in range(len(found)):
-        mass = equations(harmonics.scene)[p].m
+        mass = harmonics.weights["m"][p]
         at = test.subs(angle, harmonics.omega_0 * harmonics.times.start(p))
         expression -= mass * jump(found, p) * at
     words = {"by_one": "1", "by_sine": "sin(j omega_0 t)", "by_cosine": "cos(j omega_0 t)"}
@@ -80,9 +80,10 @@ def _row(
     )
 
 
-def impacts(harmonics: Harmonics, found: tuple[Switch, ...]) -> Iterator[Condition]:
+def impacts(
+    scene: Scene, harmonics: Harmonics, found: tuple[Switch, ...]
+) -> Iterator[Condition]:
     """Yield the law of each impact, with the mean velocity that the series has there."""
-    scene = harmonics.scene
     for p, switch in enumerate(found):
         if switch.k:
             continue
@@ -99,8 +100,7 @@ def impacts(harmonics: Harmonics, found: tuple[Switch, ...]) -> Iterator[Conditi
 
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene in this expansion."""
-    times, found = Times.of(scene), switches(scene)
-    harmonics = Harmonics(scene, times)
+    times, found, harmonics = Times.of(scene), switches(scene), Harmonics.of(scene)
 
     def end(p: int, order: int) -> sp.Expr:
         after = (p + 1) % len(found)
@@ -114,21 +114,13 @@ def derive(scene: Scene) -> GalerkinConditions:
 
     conditions = (
         *orthogonality(harmonics, found),
-        *impacts(harmonics, found),
+        *impacts(scene, harmonics, found),
         *closure.events(scene, times, end),
         *closure.memory(scene, times, start),
         *closure.period(times),
     )
-    system = GalerkinConditions(
-        scene,
-        METHOD,
-        TITLE,
-        tuple(_blocks(scene, found)),
-        times,
-        conditions,
-    )
-    system.check_count()
-    return system
+    blocks = tuple(_blocks(scene, found))
+    return GalerkinConditions(scene, METHOD, TITLE, blocks, times, conditions)
 
 
 def series_blocks(scene: Scene) -> Iterator[Block]:

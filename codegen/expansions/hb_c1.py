@@ -18,7 +18,7 @@ import sympy as sp
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, b, equations, n
-from ..scene import Scene, switches
+from ..scene import LinearPhase, Scene, switches
 from . import About, hb
 
 METHOD = "hb-c1"
@@ -58,30 +58,28 @@ def derivative(times: Times, p: int, order: int) -> sp.Expr:
     return sp.expand(sp.diff(G, u, order) * (times.cell / s) ** order)
 
 
-def by_itself(scene: Scene, times: Times) -> sp.Expr:
+def by_itself(free: LinearPhase, times: Times) -> sp.Expr:
     """Return the inner product of the residual of ``G`` with ``G``."""
-    _, free = equations(scene)
     G, s = function(times)[1], times.durations[1]
     integrand = free.m * sp.diff(G, u, 2) / s**2 + free.k * G
     return sp.factor(s * sp.integrate(sp.expand(integrand * G), (u, 0, 1)))
 
 
-def force_by(scene: Scene, times: Times) -> sp.Expr:
+def force_by(free: LinearPhase, times: Times) -> sp.Expr:
     """Return the inner product of the force with ``G``."""
-    _, free = equations(scene)
     G, s = function(times)[1], times.durations[1]
     return sp.factor(free.f * s * sp.integrate(sp.expand(G), (u, 0, 1)))
 
 
-def orthogonality(harmonics: Harmonics) -> Iterator[Condition]:
+def orthogonality(scene: Scene, harmonics: Harmonics) -> Iterator[Condition]:
     """Yield (5), (6), (7) with the function beside the series, and (14)."""
     for condition in hb.orthogonality(harmonics, ()):
         table = BY_SINE if condition.name == "by_sine" else BY_COSINE
         index = sp.Integer(0) if condition.index is None else condition.index
         yield replace(condition, expression=condition.expression + c1 * table[index])
     waves = sp.Sum(a[n] * BY_SINE[n] + b[n] * BY_COSINE[n], (n, 1, N))
-    scene, times = harmonics.scene, harmonics.times
-    own = c1 * by_itself(scene, times) - force_by(scene, times)
+    _, free = equations(scene)
+    own = c1 * by_itself(free, harmonics.times) - force_by(free, harmonics.times)
     yield Condition(
         "by_function",
         "residual, orthogonal to the function itself",
@@ -97,21 +95,18 @@ def derive(scene: Scene) -> GalerkinConditions:
     """
     if not applies(scene):
         raise ValueError(f"{METHOD}: got {scene.label}, expected a held and a free phase")
-    times = Times.of(scene)
-    harmonics = Harmonics(scene, times)
+    times, harmonics = Times.of(scene), Harmonics.of(scene)
 
     def end(p: int, order: int) -> sp.Expr:
         at_end = sp.factor(derivative(times, p, order).subs(u, 1))
         series = hb.series(harmonics, times.start(p + 1), order)
         return series + c1 * at_end / times.cell**order
 
-    system = GalerkinConditions(
+    return GalerkinConditions(
         scene,
         METHOD,
         TITLE,
         (*hb.series_blocks(scene), Block(c1, sp.Integer(1), "of the function of (12)")),
         times,
-        (*orthogonality(harmonics), *closure.events(scene, times, end)),
+        (*orthogonality(scene, harmonics), *closure.events(scene, times, end)),
     )
-    system.check_count()
-    return system

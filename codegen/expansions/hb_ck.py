@@ -56,8 +56,7 @@ class Expansion:
     @classmethod
     def of(cls, scene: Scene, functions: int) -> "Expansion":
         """Return the expansion with this number of functions a switch."""
-        times, found = Times.of(scene), switches(scene)
-        return cls(scene, times, found, Harmonics(scene, times), functions)
+        return cls(scene, Times.of(scene), switches(scene), Harmonics.of(scene), functions)
 
     def orders(self, p: int) -> range:
         """Return the n of the functions ``beta_n`` with a break at switch `p`."""
@@ -128,16 +127,8 @@ def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
         *closure.memory(scene, e.times, lambda p, order: e.smooth(p, order, left=False)),
         *closure.period(e.times),
     )
-    system = GalerkinConditions(
-        scene,
-        f"{METHOD}, K = {functions}",
-        TITLE,
-        tuple(_blocks(e)),
-        e.times,
-        rows,
-    )
-    system.check_count()
-    return system
+    method = f"{METHOD}, K = {functions}"
+    return GalerkinConditions(scene, method, TITLE, tuple(_blocks(e)), e.times, rows)
 
 
 def _blocks(e: Expansion) -> Iterator[Block]:

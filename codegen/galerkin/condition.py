@@ -139,6 +139,8 @@ class Condition:
 class GalerkinConditions:
     """A scene in one expansion: unknowns and conditions, in the order of the kernel.
 
+    A `ValueError` is raised if there are not as many conditions as unknowns.
+
     Parameters
     ----------
     scene : Scene
@@ -160,8 +162,7 @@ class GalerkinConditions:
     times: Times
     conditions: tuple[Condition, ...]
 
-    def check_count(self) -> None:
-        """Check that there are as many conditions as unknowns; a `ValueError` if not."""
+    def __post_init__(self) -> None:
         unknowns = sum((b.count for b in self.blocks), sp.Integer(len(self.times.unknown)))
         rows = sum((c.count for c in self.conditions), sp.Integer(0))
         if sp.expand(unknowns - rows) != 0:

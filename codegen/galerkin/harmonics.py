@@ -7,7 +7,6 @@ Products of harmonics are sums of harmonics, so every entry is a combination of 
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import sympy as sp
 from sympy.simplify.fu import TR8
@@ -41,10 +40,30 @@ def equations(scene: Scene, memory: tuple[sp.Symbol, ...] = ()) -> tuple[LinearP
 
 @dataclass(frozen=True)
 class Harmonics:
-    """The harmonics of a scene, and integrals of them in entries of tables."""
+    """The harmonics of a motion, and integrals of them in entries of tables.
 
-    scene: Scene
+    Parameters
+    ----------
+    times : Times
+    weights : mapping of str to tuple of Expr
+        The coefficients of the equation of motion on each phase: those of `POWERS` by their
+        names, then that of each memory.
+    memory : tuple of Symbol
+    """
+
     times: Times
+    weights: Mapping[str, tuple[sp.Expr, ...]]
+    memory: tuple[sp.Symbol, ...] = ()
+
+    @classmethod
+    def of(cls, scene: Scene) -> "Harmonics":
+        """Return the harmonics of a scene."""
+        memory = tuple(q.symbol for q in scene.memory)
+        phases = equations(scene, memory)
+        weights = {name: tuple(getattr(q, name) for q in phases) for name in POWERS}
+        for i, symbol in enumerate(memory):
+            weights[f"w_{symbol}"] = tuple(q.memory[i] for q in phases)
+        return cls(Times.of(scene), weights, memory)
 
     @property
     def omega_0(self) -> sp.Expr:
@@ -59,16 +78,6 @@ class Harmonics:
     def number(self, index: sp.Expr) -> sp.Expr:
         """Return the harmonic of an index: any, or odd where ``x(t + T/2) = -x(t)``."""
         return 2 * index - 1 if self.odd else index
-
-    @cached_property
-    def weights(self) -> Mapping[str, tuple[sp.Expr, ...]]:
-        """The coefficients of the equation of motion on each phase, by their names."""
-        memory = tuple(q.symbol for q in self.scene.memory)
-        phases = equations(self.scene, memory)
-        found = {name: tuple(getattr(q, name) for q in phases) for name in POWERS}
-        for i, symbol in enumerate(memory):
-            found[f"w_{symbol}"] = tuple(q.memory[i] for q in phases)
-        return found
 
     def over_cell(self, name: str, product: sp.Expr) -> sp.Expr:
         """Return the integral of a weight times a product of harmonics, from its tables.
@@ -103,8 +112,8 @@ class Harmonics:
         The forcing is the harmonic of as many periods as there are in the period.
         """
         total = self.over_cell("f", test)
-        for memory in self.scene.memory:
-            total += memory.symbol * self.over_cell(f"w_{memory.symbol}", test)
+        for symbol in self.memory:
+            total += symbol * self.over_cell(f"w_{symbol}", test)
         if self.times.frequency is None:
             return total
         turned = cycles * angle

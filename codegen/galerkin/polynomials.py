@@ -210,7 +210,7 @@ def derive(
     joined = closure.joints(scene, found, start, end)
     events = _events(scene, times, start, end, symmetric=rest is None)
     memory = closure.memory(scene, times, start)
-    system = GalerkinConditions(
+    return GalerkinConditions(
         scene,
         method,
         title,
@@ -218,5 +218,3 @@ def derive(
         times,
         (*rows, *joined, *events, *memory, *closure.period(times)),
     )
-    system.check_count()
-    return system

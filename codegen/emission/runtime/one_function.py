@@ -1,27 +1,17 @@
-"""Residual and Jacobian of a Fourier series and one function of class C^1: (12), (14).
+"""One function of class C^1 beside a Fourier series: (12), (14).
 
-For a held phase and a free one without damping, which nothing forces.  Unknowns are the
-constant, which is twice the mean, sines, cosines, the coefficient of the function, and the two
-durations.
+For a held phase and a free one without damping, which nothing forces.  What is here takes the
+place of what `whole_period` has for functions with a break; the coefficient of the function is
+an unknown of the switch that begins the held phase.
 """
 
-from math import cos, pi, sin
+from math import pi
 
 import numpy as np
 
-from .fourier import (
-    amplitudes,
-    cosine_place,
-    legendre_on_phase,
-    series_at_ends,
-    times,
-    waves,
-)
-from .harmonics import harmonic_integrals, series_on_phase, weighted_integrals
-from .joints import E_0, E_X, F, K, M
-from .moments import spherical_bessel
-from .orthogonality import add_force, add_harmonics
-from .whole_period import add_state
+from .fourier import cosine_place
+from .joints import F, K, M
+from .moments import legendre_moments
 
 #: Closed forms, which the generator writes.
 on_phases = None  # T**2 G'', T G', G on both phases, as Legendre series one behind another
@@ -76,9 +66,8 @@ def function_integrals(series, numbers, ends, count):
         derivatives by both durations.
     """
     rows, T = series.shape[1], ends[2]
-    omega = 2 * pi / T
     found, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
-    even, odd, bessel = np.zeros(5), np.zeros(5), np.zeros(5)
+    waves, moments = np.zeros((2, 2, 5)), np.zeros((2, 5))
     for q in range(2):
         m, k = numbers[q, M], numbers[q, K]
         s, t = ends[q + 1] - ends[q], ends[q]
@@ -89,34 +78,24 @@ def function_integrals(series, numbers, ends, count):
                 change = series[q, r, 1, l] * m / T**2 - 2 * bent / T
                 rho[r, l] = k * series[q, r, 3, l] + change
         for column in range(count):
-            w = column * omega
-            spherical_bessel(w * s / 2, bessel)
-            for turned in range(2):  # the sine is the cosine, a quarter turn back
-                middle = w * (t + s / 2) - turned * pi / 2
-                co, si = cos(middle), sin(middle)
-                for l in range(5):
-                    turn = l % 4
-                    value = co if turn == 0 else -si if turn == 1 else -co if turn == 2 else si
-                    ahead = -si if turn == 0 else -co if turn == 1 else si if turn == 2 else co
-                    even[l], odd[l] = value * bessel[l], ahead * bessel[l]
+            w = column * (2 * pi / T)
+            legendre_moments(w * s, w * t, moments)
+            waves[0], waves[1, 0], waves[1, 1] = moments, -moments[1], moments[0]
+            for wave in range(2):
+                own, turned = waves[wave, 0], waves[wave, 1]
                 for l in range(4):
-                    found[turned, 0, column] += s * rho[0, l] * even[l]
+                    found[wave, 0, column] += s * rho[0, l] * own[l]
                 for l in range(4 if rows > 1 else 0):
-                    near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
-                    stretch = (odd[l] + near / (2 * l + 1)) / 2
+                    near = (l + 1) * turned[l + 1] + (l * turned[l - 1] if l > 0 else 0.0)
+                    stretch = (turned[l] + near / (2 * l + 1)) / 2
                     for r in range(2):
                         by_kappa = w * ((1.0 if r == q else 0.0) - s / T)
                         by_theta = w * ((1.0 if r < q else 0.0) - t / T)
-                        slope = by_kappa * stretch + by_theta * odd[l]
-                        change = rho[1 + r, l] * even[l] + rho[0, l] * slope
-                        own = rho[0, l] * even[l] if r == q else 0.0
-                        found[turned, 1 + r, column] += s * change + own
+                        slope = by_kappa * stretch + by_theta * turned[l]
+                        change = rho[1 + r, l] * own[l] + rho[0, l] * slope
+                        longer = rho[0, l] * own[l] if r == q else 0.0
+                        found[wave, 1 + r, column] += s * change + longer
     return found
-
-
-def size(case, N):
-    """Return the number of unknowns."""
-    return 2 * N + 4
 
 
 def add_function(case, z, motion, ends, series, rows):
@@ -166,62 +145,20 @@ def beside_series(z, ends, series, N, width):
     return found
 
 
-def add_constant_force(numbers, at_s, integrals, ends, N, rows):
-    """Take the integrals of the force with harmonics from their rows."""
-    force = weighted_integrals(integrals, numbers[:, F], 0, ends, ends[2])
-    for r in range(force.shape[1]):
-        column = at_s + r if r > 0 else 0
-        add_force(force[0, r], force[1, r], 1.0, N, rows, column)
+def own(kinds, p):
+    """Return how many unknowns, and conditions, the switch that begins phase p has."""
+    return 1 if p == 0 else 0
 
 
-def add_events(numbers, at_s, harmonics, others, rows):
-    """Add the events that end the phases."""
-    for p in range(2):
-        rows[at_s + p, 0] += numbers[p, E_0]
-        for order in range(2):
-            add_state(rows, at_s + p, numbers[p, E_X + order], harmonics, others, p, 1, order)
+def add_beside(case, z, at, ends, motion, at_ends, series, rows):
+    """Add the function to the conditions; return what the state has beside the harmonics."""
+    at_s = at[2]
+    functions = function_series(z[at_s], z[at_s + 1], rows.shape[1] > 1)
+    add_function(case, z, motion, ends, functions, rows)
+    return beside_series(z, ends, functions, motion.shape[1] - 1, rows.shape[1])
 
 
-def fill(case, z, rows):
-    """Fill rows, which are zero, with the left sides of the conditions and derivatives."""
-    numbers, N, rates = case[1], (len(z) - 4) // 2, rows.shape[1] > 1
-    at_s, width = 2 * N + 2, rows.shape[1]
-    ends, T = times(z, at_s, 1.0, 2)
-    motion = amplitudes(z, 1.0, N)
-    integrals = harmonic_integrals(ends, T, 2 * N, rates)
-    at_ends = waves(1.0, ends, T, N + 1, 2)
-    add_harmonics(numbers, 1.0, motion, ends, T, integrals, at_s, rows)
-    add_constant_force(numbers, at_s, integrals, ends, N, rows)
-    series = function_series(z[at_s], z[at_s + 1], rates)
-    add_function(case, z, motion, ends, series, rows)
-    harmonics = series_at_ends(1.0, motion, ends, at_ends, at_s, N, width)
-    others = beside_series(z, ends, series, N, width)
-    add_events(numbers, at_s, harmonics, others, rows)
-    if rates:
-        rows[:, 1] /= 2
-
-
-def residual(case, z, R):
-    """Fill R with the left sides of the conditions."""
-    R[:] = 0.0
-    fill(case, z, R.reshape((len(R), 1)))
-
-
-def jacobian(case, z, J):
-    """Fill J with their derivatives."""
-    rows = np.zeros((len(z), 1 + len(z)))
-    fill(case, z, rows)
-    J[:, :] = rows[:, 1:]
-
-
-def motion(case, z, p, u, derivative):
-    """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    if not 0 <= p < 2:
-        raise IndexError("p")
-    N = (len(z) - 4) // 2
-    ends, T = times(z, 2 * N + 2, 1.0, 2)
-    (a, b), s = amplitudes(z, 1.0, N), ends[p + 1] - ends[p]
-    numbers, omega_0 = np.arange(0, N + 1), 2 * pi / T
-    found = series_on_phase(0.0, a, b, numbers, omega_0, ends[p], s, 0.0, 0.0, u, derivative)
-    series = function_series(z[2 * N + 2], z[2 * N + 3], False)[p, 0, 3]
-    return found + z[2 * N + 1] * legendre_on_phase(series, s, u, derivative)
+def on_phase(case, z, at, ends, p):
+    """Return the functions beside the harmonics on a phase: factors and Legendre series."""
+    at_s = at[2]
+    return [(z[at[0]], function_series(z[at_s], z[at_s + 1], False)[p, 0, 3])]

@@ -26,9 +26,7 @@ def derive(scene: Scene, method: str, title: str, functions: int = 0) -> BodyCon
         *joints.conditions(scene, own.times, own.seen),
     )
     found = tuple(blocks(own)), own.times, rows, tuple(expansion(own)), tuple(tables(own))
-    system = BodyConditions(scene, method, title, *found)
-    system.check_count()
-    return system
+    return BodyConditions(scene, method, title, *found)
 
 
 def blocks(own: Terms) -> Iterator[Block]:
