@@ -1,6 +1,6 @@
 """Any scene in any expansion for a reader: the records that text, LaTeX and HTML print.
 
-Input: a `Scene`, and its `GalerkinConditions` in an expansion.
+Input: a `Scene`, of one mass or of a body, and its `GalerkinConditions` in an expansion.
 Output: `scene_equations`, the oscillator; `method_equations`, a `GalerkinSystem` with every
 condition from its statement to its closed form, what it looks up, and what each unknown is.
 `derive_scene` and `sections` find scene and expansion by their names.

@@ -158,11 +158,3 @@ class Breaks:
                 inner = Inner(self._part(p, n), f(l * omega_0 * t))
                 sides = (self._integral(name, p, n, l), inner)
                 yield Equation("", "integral of a residual with a harmonic", sides)
-
-    def spelled(self, expression: sp.Expr) -> sp.Expr:
-        """Return an expression with the coefficients written as shown."""
-        names = {
-            sp.Symbol(f"c{n}_{self._word(p)}", real=True): self.unknown(p, n)
-            for p, n in self.orders
-        }
-        return expression.xreplace(names)

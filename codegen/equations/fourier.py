@@ -10,9 +10,8 @@ from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, b, equations, j, n
 from ..system import Equation, Inner
 from .breaks import Breaks
+from .family import Family
 from .functions import R, Rate, T, omega_0, t, x
-from .joining import statements
-from .notation import Notation
 from .one_function import OneFunction
 from .overlaps import Overlaps
 from .tidy import by_unknown
@@ -21,12 +20,11 @@ from .tidy import by_unknown
 SECTIONS = ("3.1", "3.2")
 
 
-class Fourier:
+class Fourier(Family):
     """The equations of a scene as a Fourier series, with functions beside it or without."""
 
     def __init__(self, conditions: GalerkinConditions) -> None:
-        self.conditions = conditions
-        self.notation = Notation.of(conditions.scene)
+        super().__init__(conditions)
         self.harmonics = Harmonics.of(conditions.scene)
         self.overlaps = Overlaps.of(self.notation, self.harmonics)
         self.beside: Breaks | OneFunction = (
@@ -35,7 +33,6 @@ class Fourier:
             else Breaks.of(conditions, self.notation)
         )
         self.section = SECTIONS[self.beside.expansion() != 0]
-        self.rows = tuple(self._conditions())
 
     @staticmethod
     def fits(conditions: GalerkinConditions) -> bool:
@@ -91,13 +88,13 @@ class Fourier:
         sine, cosine = (self._wave(f, n) for f in (sp.sin, sp.cos))
         rate = self.harmonics.number(n) * omega_0
         number = self.beside.numbers["residual"]
-        for p, q in enumerate(equations(self.conditions.scene)):
+        for p, q in enumerate(equations(self.scene)):
             spring, damping = q.k - q.m * rate**2, q.c * rate
             waves = a[n] * (spring * sine + damping * cosine)
             waves += b[n] * (spring * cosine - damping * sine)
             force = q.f + q.g * self.notation.times.forcing(t)
             total = sp.Sum(waves, (n, 1, N)) + q.k * self._mean() - force
-            name = self.conditions.scene.phases[p].name
+            name = self.scene.phases[p].name
             sides = (R, total + self.beside.residual(p))
             yield Equation(number, f"residual in {name}", sides, self.notation.during(p))
             yield from self.beside.residuals(p, q)
@@ -108,25 +105,16 @@ class Fourier:
         parts = (sp.Integral(first * second, (t, *limits)) for limits in pairwise(ends))
         return Inner(first, second), sp.Add(*parts, evaluate=False)
 
-    def _conditions(self) -> Iterator[Equation]:
-        known, numbers = statements(self.notation), self.notation.numbers
-        for condition in self.conditions.conditions:
-            if condition.name == "cell":
-                continue
-            closed = by_unknown(
-                condition, self.conditions.blocks, self.conditions.scene.symbols, self._spelled
-            )
-            left = self._tested(condition) or (known[condition.name],)
-            sides = (*left, self.beside.spelled(closed), sp.Integer(0))
-            where = f"`{condition.where}`" if condition.where else ""
-            number = condition.number or numbers.get(condition.name, "")
-            yield Equation(number, self._title(condition), sides, where)
+    def closed(self, condition: Condition) -> sp.Expr:
+        """Return a condition by its unknowns."""
+        return by_unknown(condition, self.conditions.blocks, self.scene.symbols, self._factor)
 
-    def _spelled(self, factor: sp.Expr) -> sp.Expr:
+    def _factor(self, factor: sp.Expr) -> sp.Expr:
         moved = self.notation.in_times(factor)
         return self.beside.entries(self.overlaps.spelled(moved))
 
-    def _title(self, condition: Condition) -> str:
+    def title(self, condition: Condition) -> str:
+        """Return what a condition says, with the harmonics of this scene."""
         if condition.number == "5":
             return "residual, orthogonal to the constant"
         if condition.index is None:
@@ -136,19 +124,17 @@ class Fourier:
         angle = number if number.is_Symbol else f"({number})"
         return f"residual, orthogonal to `{name}({angle} omega_0 t)`".replace("*", " ")
 
-    def _tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
+    def tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
         """Return the left side of an orthogonality condition, impulses included."""
         tests = self.beside.tests | {
             "by_one": sp.Integer(1),
             "by_sine": self._wave(sp.sin, j),
             "by_cosine": self._wave(sp.cos, j),
         }
-        if condition.name not in tests:
-            return ()
         test = tests[condition.name]
         left = Inner(R, test)
         for p, impulse in self._jumps().items():
-            mass = equations(self.conditions.scene)[p].m
+            mass = self.harmonics.weights["m"][p]
             left -= mass * impulse * test.subs(t, self.notation.at(p))
         return (left,)
 

@@ -10,7 +10,8 @@ from ..expansions import applies, in_order
 from ..galerkin import Block, GalerkinConditions, cycles
 from ..scene import Scene, switches
 from ..system import Equation, GalerkinSystem
-from .bodies import Forces
+from .family import shown
+from .forces import Forces
 from .fourier import Fourier
 from .functions import T
 from .notation import Notation
@@ -55,15 +56,14 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     family = next((q for q in (Forces, Fourier, Polynomial) if q.fits(conditions)), None)
     if family is None:
         raise ValueError(f"{conditions.method}: its unknowns are of no family that is known")
-    shown = family(conditions)  # type: ignore[arg-type]  # it fits
-    notation = Notation.of(conditions.scene)
+    own = family(conditions)
     return GalerkinSystem(
         method=spelled(conditions.method.partition(",")[0], conditions.scene),
-        section=shown.section,
-        title=_title(conditions, notation.k),
+        section=own.section,
+        title=_title(conditions, own.notation.k),
         unknowns="; ".join(f"{q}: {what}" for q, what in unknowns(conditions)).replace("`", ""),
-        equations=(*shown.equations(), *_times(notation)),
-        jacobian=tuple(shown.jacobian()),
+        equations=(*own.equations(), *_times(own.notation)),
+        jacobian=tuple(own.jacobian()),
     )
 
 
@@ -98,20 +98,12 @@ def _title(conditions: GalerkinConditions, k: int) -> str:
 def unknowns(conditions: GalerkinConditions) -> Iterator[tuple[str, str]]:
     """Yield the name of each unknown, as it is shown, and what it is."""
     for block in conditions.blocks:
-        yield _name(block), _what(block)
+        several = isinstance(block.symbol, sp.IndexedBase)
+        yield f"{block.name}[n]" if several else str(shown(block)), _what(block)
     for time, phase in zip(conditions.times.durations, conditions.scene.phases, strict=True):
         yield str(time), f"duration of {phase.name}"
     if conditions.times.frequency is not None:
         yield "phi", "phase of the forcing where the first phase begins"
-
-
-def _name(block: Block) -> str:
-    name, _, word = block.name.partition("_")
-    letters = name.rstrip("0123456789")
-    if word and letters != name:
-        return f"{letters}_{word}[{name.removeprefix(letters)}]"
-    several = isinstance(block.symbol, sp.IndexedBase)
-    return f"{block.name}[n]" if several else block.name
 
 
 def _what(block: Block) -> str:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from ..galerkin import Times
 from ..scene import Scene, Switch, saltations, switches
+from ..scene.bodies.law import body_of
 from ..scenes import numbers_of
 from .functions import T, omega_0, state
 
@@ -77,6 +78,18 @@ class Notation:
         """Return a derivative of the displacement where phase `p` ends."""
         continuous = order <= self.found[(p + 1) % len(self.found)].k
         return state(order, self.at(p + 1) if continuous else self.side(p + 1, "-"))
+
+    def displacement(self, c: int, order: int, time: sp.Expr) -> sp.Expr:
+        """Return a derivative of the displacement of contact `c`; that of the first is x."""
+        if c == 0:
+            return state(order, time)
+        name = list(body_of(self.scene).at)[c]
+        return sp.Function(f"x_{name}" + "'" * order)(time)
+
+    def force(self, c: int, time: sp.Expr) -> sp.Expr:
+        """Return the force at contact `c`; where there is one alone it is f."""
+        names = list(body_of(self.scene).at)
+        return sp.Function("f" if len(names) == 1 else f"f_{names[c]}")(time)
 
     def during(self, p: int) -> str:
         """Return when phase `p` lasts."""

@@ -10,12 +10,13 @@ from ..scene import Scene
 from ..scene.scales import scales
 from ..scene.smoothness import place
 from ..system import Equation
+from . import bodies
 from .functions import T, state, t, x
 from .notation import Notation
 from .switching import (
+    at_state,
     at_the_end,
     balanced,
-    during,
     equation_of_motion,
     event,
     jump,
@@ -28,65 +29,82 @@ ORDINAL = {1: "first", 2: "second", 3: "third"}
 
 
 def scene_equations(scene: Scene) -> tuple[Equation, ...]:
-    """Return the equations of an oscillator.
+    """Return the equations of an oscillator, or of a body.
 
     Returns
     -------
     tuple of Equation
-        The equation of motion of each phase, what holds and what is demanded in it, what ends
-        it and what jumps there, the class at each switch, and the scales; with numbers where
-        the scene is the paper's.
+        The equation of motion of each phase, or the laws of the contacts, what holds and what
+        is demanded in it, what ends it and what jumps there, of one mass the class at each
+        switch, and the scales; with numbers where the scene is the paper's.
 
     Examples
     --------
-    >>> from ..scenes.impact import SCENE
-    >>> print(scene_equations(SCENE)[0].text(unicode=False))
+    >>> from ..scenes import beam_clearance, impact
+    >>> print(scene_equations(impact.SCENE)[0].text(unicode=False))
         -  equation of motion in flight; 0 <= t < T
            m*x''(t) + c*x'(t) + k*x(t) = F*cos(Omega*t + phi)
+    >>> print(scene_equations(beam_clearance.SCENE)[2].text(unicode=False))
+        -  law at tip in contact; 0 <= t < t1
+           k_c*x(t) + f(t) = g*k_c
     """
     notation = Notation.of(scene)
-    return (
-        *_phases(notation),
-        *_switches(notation),
-        *whole_motion(notation),
-    )
+    parts = [_phases, _switches, _classes, whole_motion]
+    if scene.body is not None:
+        parts = [bodies.of_the_body, _phases, bodies.rate, _switches, whole_motion]
+    return tuple(row for part in parts for row in part(notation))
 
 
 def _phases(notation: Notation) -> Iterator[Equation]:
-    numbers = notation.numbers
-    for p, phase in enumerate(notation.scene.phases):
+    scene, numbers = notation.scene, notation.numbers
+    for p, phase in enumerate(scene.phases):
         name, when = phase.name, notation.during(p)
-        sides, number = equation_of_motion(notation, p), numbers.get(f"motion_{name}", "")
-        yield Equation(number, f"equation of motion in {name}", sides, when)
+        if scene.body is not None:
+            yield from bodies.laws_of(notation, p)
+        else:
+            sides, number = equation_of_motion(notation, p), numbers.get(f"motion_{name}", "")
+            yield Equation(number, f"equation of motion in {name}", sides, when)
         if phase.held is not None:
             held = (state(1, t), sp.sympify(phase.held))
             number = numbers.get(f"held_{name}", "")
             yield Equation(number, f"the velocity is held in {name}", held, when)
-        at = place(notation.scene, p)
+            if scene.body is not None:
+                yield bodies.returning(notation, p)
+        at = place(scene, p) if scene.body is None else None
         if at is not None:
             yield Equation("", f"the displacement is held in {name}", (state(0, t), at), when)
-        for words, demand in notation.scene.cell[p].demands.items():
-            relation = not_negative(during(notation, demand))
-            title = f"demanded in {name}: {marked(notation.scene, words)}"
+        for words, demand in scene.cell[p].demands.items():
+            relation = not_negative(at_state(notation, demand, t))
+            title = f"demanded in {name}: {marked(scene, words)}"
             yield Equation(numbers.get(f"demands_{name}", ""), title, (relation,))
 
 
 def _switches(notation: Notation) -> Iterator[Equation]:
-    for p, phase in enumerate(notation.scene.phases):
+    scene = notation.scene
+    for p, phase in enumerate(scene.phases):
         left, right, _ = balanced(event(notation, p))
         yield Equation("", f"{phase.name} ends", (left, right))
-        if phase.ends.jump:
-            q = (p + 1) % len(notation.found)
-            sign = notation.scene.sign if q == 0 else 1
-            after = state(1, notation.side(p + 1, "+"))
-            words = f"the velocity jumps where {phase.name} ends"
-            yield Equation("", words, (after, sign * law(notation.scene, q, notation.end)))
-        for words, demand in notation.scene.cell[p].ends.demands.items():
-            title = f"demanded where {phase.name} ends: {marked(notation.scene, words)}"
+        yield from _jumps(notation, p) if scene.body is None else bodies.velocities(notation, p)
+        for words, demand in scene.cell[p].ends.demands.items():
+            title = f"demanded where {phase.name} ends: {marked(scene, words)}"
             yield Equation("", title, (not_negative(at_the_end(notation, p, demand)),))
-    for memory in notation.scene.memory:
+    for memory in scene.memory:
         words = f"{memory.what}: set where {memory.at} begins"
         yield Equation("", words, (memory.symbol, set_to(notation, memory)))
+
+
+def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
+    """Yield what the event that ends a phase makes of the velocity."""
+    scene, phase = notation.scene, notation.scene.phases[p]
+    if phase.ends.jump:
+        q = (p + 1) % len(notation.found)
+        value = (scene.sign if q == 0 else 1) * law(scene, q, notation.end)
+        words = f"the velocity jumps where {phase.name} ends"
+        yield Equation("", words, (state(1, notation.side(p + 1, "+")), value))
+
+
+def _classes(notation: Notation) -> Iterator[Equation]:
+    """Yield the class at each switch, and what becomes of small perturbations."""
     for p, switch in enumerate(notation.found):
         order = ORDINAL.get(switch.jumps, f"{switch.jumps}th")
         words = f"the motion is `C^{switch.k}` where {switch.before} begins: its {order} "

@@ -66,7 +66,3 @@ class OneFunction:
         for base, f in ((hb_c1.BY_COSINE, sp.cos), (hb_c1.BY_SINE, sp.sin)):
             sides = (base[l], Inner(q, f(l * omega_0 * t)))
             yield Equation("", "integral of the residual with a harmonic", sides)
-
-    def spelled(self, expression: sp.Expr) -> sp.Expr:
-        """Return an expression as it is: the coefficient is shown as it is called."""
-        return expression

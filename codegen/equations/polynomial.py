@@ -11,12 +11,9 @@ from ..galerkin.legendre import Moments, l, n, repeated_integral
 from ..galerkin.polynomials import Rest, Test, moments, series
 from ..scene import linear_phase
 from ..system import Equation, Inner, ShiftedLegendre, TwiceIntegrated
+from .family import Family
 from .functions import R, Rate, member, t, u, x
-from .joining import statements
-from .notation import Notation
 from .tidy import by_entries, by_unknown
-
-SECTION = "3.3"
 
 #: Numbers of the paper; but for (18) they are of functions of class C^1.
 NUMBERS = {"acceleration": "15", "expansion": "16", "residual": "17", "tests": "18"}
@@ -30,14 +27,13 @@ TIMES = {1: "once", 2: "twice"}
 S = sp.Function("S")(t)
 
 
-class Polynomial:
+class Polynomial(Family):
     """The equations of a scene whose motion is a polynomial on each phase."""
 
-    section = SECTION
+    section = "3.3"
 
     def __init__(self, conditions: GalerkinConditions) -> None:
-        self.conditions = conditions
-        self.notation = Notation.of(conditions.scene)
+        super().__init__(conditions)
         self.trial = series(conditions.scene, self.notation.times, self.notation.found)
         self.moments = tuple(moments(conditions.scene, self.notation.times))
         name = conditions.method.replace("-", "_")
@@ -57,7 +53,7 @@ class Polynomial:
         yield from self._basis()
         yield from self._residual()
         yield from self._tests()
-        yield from self._conditions()
+        yield from self.rows
         yield from map(_moment, self.moments)
 
     def jacobian(self) -> Iterator[Equation]:
@@ -76,11 +72,7 @@ class Polynomial:
 
     def _expansion(self) -> Iterator[Equation]:
         for p, q in enumerate(self.trial):
-            name, when, s = (
-                self.conditions.scene.phases[p].name,
-                self.notation.during(p),
-                q.duration,
-            )
+            name, when, s = self.scene.phases[p].name, self.notation.during(p), q.duration
             if q.acceleration is not None:
                 sums = [self._sum(p, function) for function in self._functions()]
                 velocity = q.velocity + s * sums[1]
@@ -115,7 +107,7 @@ class Polynomial:
         yield Equation("", "what stands for a degree below zero", below)
 
     def _residual(self) -> Iterator[Equation]:
-        scene = self.conditions.scene
+        scene = self.scene
         for p, q in enumerate(self.trial):
             if q.acceleration is None:
                 continue
@@ -136,7 +128,7 @@ class Polynomial:
         for p, switch in enumerate(self.notation.found):
             weights = self.test(n, switch.k)
             if self.trial[p].acceleration is not None and len(weights) > 1:
-                name = self.conditions.scene.phases[p].name
+                name = self.scene.phases[p].name
                 times = TIMES.get(switch.k + 1, f"{switch.k + 1} times")
                 words = f"test function in {name}, `P_n` integrated {times} from the switch"
                 sides = (member(f"W_{name}", n, u), _combined(weights))
@@ -146,7 +138,7 @@ class Polynomial:
 
     def _left(self, p: int, rest: Rest) -> Iterator[Equation]:
         """Yield orthogonality to all tests of a phase, and what it leaves of the residual."""
-        phase, switch = self.conditions.scene.phases[p], self.notation.found[p]
+        phase, switch = self.scene.phases[p], self.notation.found[p]
         name, rows = phase.name, polynomials.rows_of(self.trial[p], switch)
         tested = (Inner(R, member(f"W_{name}", l, u)), sp.Integer(0))
         where = f"`l = 0, ..., {rows - 1}`"
@@ -163,32 +155,14 @@ class Polynomial:
         words = f"what no test in {name} sees, of degree up to `{rows + switch.k}`"
         yield Equation("", words, (S, mass * sp.Add(*parts)), self.notation.during(p))
 
-    def _unseen(self) -> dict[sp.Symbol, sp.Indexed]:
-        """Return what multiplies the polynomials that no test sees, as it is shown."""
-        found = {}
-        for phase, switch in zip(
-            self.conditions.scene.phases, self.notation.found, strict=True
-        ):
-            for i, tau in enumerate(polynomials.rest_of(phase, switch, self.test)):
-                found[tau] = _factors(phase.name)[i]
-        return found
+    def closed(self, condition: Condition) -> sp.Expr:
+        """Return a condition by its unknowns."""
+        blocks, symbols = self.conditions.blocks, self.scene.symbols
+        return by_unknown(condition, blocks, symbols, lambda factor: factor)
 
-    def _conditions(self) -> Iterator[Equation]:
-        known, numbers = statements(self.notation), self._of_conditions()
-        for condition in self.conditions.conditions:
-            if condition.name == "cell":
-                continue
-            blocks, symbols = self.conditions.blocks, self.conditions.scene.symbols
-            closed = by_unknown(condition, blocks, symbols, lambda factor: factor)
-            left = known.get(condition.name)
-            left = left if left is not None else self._tested(condition)
-            sides = (left, closed.xreplace(self._unseen()), sp.Integer(0))
-            where = f"`{condition.where}`" if condition.where else ""
-            number = condition.number or numbers.get(condition.name, "")
-            yield Equation(number, self._title(condition), sides, where)
-
-    def _of_conditions(self) -> dict[str, str]:
-        """Return the numbers of conditions: of the scene, and that the motion repeats.
+    @property
+    def numbers(self) -> Mapping[str, str]:
+        """The numbers of conditions: of the scene, and that the motion repeats.
 
         Half a period later it does not, and at another class it does so in another way.
         """
@@ -198,20 +172,21 @@ class Polynomial:
             found |= {f"{name}_{first.before}": n for name, n in REPEATS.items()}
         return found
 
-    def _title(self, condition: Condition) -> str:
+    def title(self, condition: Condition) -> str:
+        """Return what a condition says, its degree marked."""
         head, _, index = condition.title.rpartition(" ")
         return f"{head} `{index}`" if condition.index is not None else condition.title
 
-    def _tested(self, condition: Condition) -> sp.Expr:
+    def tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
         """Return the left side of an orthogonality condition."""
         name, kind, index = re.findall(r"(.+)_(by|rest)_(\w+)", condition.name)[0]
-        p = [phase.name for phase in self.conditions.scene.phases].index(name)
+        p = [phase.name for phase in self.scene.phases].index(name)
         degree = sp.Integer(index) if condition.index is None else condition.index
         if kind == "rest":
             degree += polynomials.rows_of(self.trial[p], self.notation.found[p])
         if self.rest is not None:
-            return (2 * degree + 1) * Inner(R - S, ShiftedLegendre(degree, u))
-        return Inner(R, _combined(self.test(degree, self.notation.found[p].k)))
+            return ((2 * degree + 1) * Inner(R - S, ShiftedLegendre(degree, u)),)
+        return (Inner(R, _combined(self.test(degree, self.notation.found[p].k))),)
 
 
 def _factors(name: str) -> sp.IndexedBase:

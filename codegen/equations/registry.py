@@ -15,7 +15,6 @@ from ..galerkin import GalerkinConditions
 from ..scene import Scene, in_order, switches
 from ..scene.orders import IMAGE
 from ..system import GalerkinSystem, Section
-from .bodies import body_equations
 from .method import ONE_CYCLE, method_equations, spelled, unknowns
 from .of_scene import scene_equations
 
@@ -79,9 +78,8 @@ def sections(
 
 
 def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
-    of_scene = scene_equations if found.body is None else body_equations
     heading = f"{found.label} (`C^{_class(found)}`): {found.title}"
-    shown = [Section(heading, of_scene(found), _parameters(found))]
+    shown = [Section(heading, scene_equations(found), _parameters(found))]
     for name in names or tuple(methods(found)):
         record = conditions(found, name, functions)
         system = method_equations(record)

@@ -33,20 +33,22 @@ def event_after(notation: Notation, p: int) -> sp.Expr:
         jumps = order == 1 and v in ends.jump
         return notation.end(p, order) if jumps else sign * state(order, time)
 
-    return at_state(ends.zero, after, notation.times.forcing(notation.at(p + 1)))
+    return at_state(notation, ends.zero, notation.at(p + 1), after)
 
 
 def at_the_end(notation: Notation, p: int, expression: sp.Expr) -> sp.Expr:
     """Return a linear form in the state where phase `p` ends."""
-    force = notation.times.forcing(notation.at(p + 1))
-    return at_state(expression, lambda order: notation.end(p, order), force)
+    return at_state(
+        notation, expression, notation.at(p + 1), lambda order: notation.end(p, order)
+    )
 
 
 def set_to(notation: Notation, memory: Memory) -> sp.Expr:
     """Return what a memory is set to, in the state there."""
     p = [phase.name for phase in notation.scene.phases].index(memory.at)
-    force = notation.times.forcing(notation.at(p))
-    return at_state(memory.value, lambda order: notation.start(p, order), force)
+    return at_state(
+        notation, memory.value, notation.at(p), lambda order: notation.start(p, order)
+    )
 
 
 def jump(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
@@ -85,7 +87,7 @@ def _size(notation: Notation, p: int, order: int) -> sp.Expr:
     time = notation.at(p)
     waves = {turning: sp.sin(notation.times.angle(time))}
     found = sp.factor(sp.expand(size.subs(values, simultaneous=True)))
-    return at_state(found, lambda q: state(q, time), notation.times.forcing(time)).subs(waves)
+    return at_state(notation, found, time).subs(waves)
 
 
 def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Expr, ...]]]:
@@ -114,16 +116,25 @@ def _of_memory(notation: Notation) -> Iterator[tuple[str, sp.FunctionClass]]:
 
 
 def at_state(
-    expression: sp.Expr, derivative: Callable[[int], sp.Expr], force: sp.Expr
+    notation: Notation,
+    expression: sp.Expr,
+    time: sp.Expr,
+    derivative: Callable[[int], sp.Expr] | None = None,
 ) -> sp.Expr:
-    """Return a linear form with the state and the forcing put in."""
-    values = {x: derivative(0), v: derivative(1), forcing: force}
+    """Return a linear form with what it is of at a time put in.
+
+    For one mass `derivative` may say what displacement and velocity are there: of one side.
+    """
+    values: dict[sp.Expr, sp.Expr] = {forcing: notation.times.forcing(time)}
+    if notation.scene.body is None:
+        there = derivative or (lambda order: state(order, time))
+        values |= {x: there(0), v: there(1)}
+    else:
+        for c, contact in enumerate(notation.scene.body.at.values()):
+            for order, symbol in enumerate((contact.x, contact.v, contact.a)):
+                values[symbol] = notation.displacement(c, order, time)
+            values[contact.force] = notation.force(c, time)
     return sp.sympify(expression).subs(values, simultaneous=True)
-
-
-def during(notation: Notation, expression: sp.Expr) -> sp.Expr:
-    """Return a linear form at a time `t`."""
-    return at_state(expression, lambda order: state(order, t), notation.times.forcing(t))
 
 
 def equation_of_motion(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:

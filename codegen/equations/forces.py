@@ -1,0 +1,74 @@
+"""Conditions on the contact forces of a body for the reader."""
+
+from collections.abc import Iterable, Iterator
+
+import sympy as sp
+
+from ..galerkin import Condition, GalerkinConditions
+from ..galerkin.bodies import BodyConditions, Table
+from ..galerkin.bodies.contacts import Contacts, j, pole
+from ..system import Equation
+from .family import Family
+from .functions import t
+
+#: State of a pole.
+z = sp.Function("z_j")
+
+
+class Forces(Family):
+    """The equations of a body whose contact forces are expanded."""
+
+    conditions: BodyConditions
+
+    @staticmethod
+    def fits(conditions: GalerkinConditions) -> bool:
+        """Whether the conditions are those of a body."""
+        return isinstance(conditions, BodyConditions)
+
+    def equations(self) -> Iterator[Equation]:
+        """Yield the body by its poles, the force, the conditions, what they look up."""
+        yield from self._poles()
+        yield from self._shown(self.conditions.expansion)
+        yield from self.rows
+        yield from self._shown(self.conditions.tables)
+
+    def jacobian(self) -> Iterator[Equation]:
+        """Yield nothing: the tables say all, and their rates follow from their recurrences."""
+        yield from ()
+
+    def closed(self, condition: Condition) -> sp.Expr:
+        """Return a condition as it is."""
+        return condition.expression
+
+    def tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
+        """Return nothing: the title says what is tested."""
+        return ()
+
+    def _poles(self) -> Iterator[Equation]:
+        scene, contacts, notation = self.scene, Contacts(self.scene), self.notation
+        forces = [notation.force(c, t) for c in range(len(contacts.each))]
+        pushed = sp.Add(*(contacts.chi(c) * force for c, force in enumerate(forces)))
+        words = "the body by its poles, of each pair the one above the real axis"
+        yield Equation("", words, (z(t).diff(t), pole[j] * z(t) + pushed), "`j = 1, ..., L`")
+        for c, contact in enumerate(contacts.each):
+            words = f"displacement of {contact.name}"
+            seen = contacts.summed(contacts.psi(c) * z(t))
+            if scene.frequency is not None:
+                wave = sp.exp(sp.I * notation.times.angle(t))
+                seen += sp.re(contacts.response(c) * wave)
+                words += f"; `{contacts.response(c)}` is its response to the forcing"
+            seen += sp.Add(*(contacts.static(c, d) * force for d, force in enumerate(forces)))
+            if contacts.static(c, c) != 0:
+                words += (
+                    f", `{contacts.static(c, c)}` the static one of modes that are left out"
+                )
+            yield Equation("", words, (notation.displacement(c, 0, t), seen))
+            for d in range(len(forces)):
+                total = contacts.summed(pole[j] * contacts.psi(c) * contacts.chi(d))
+                words = f"mobility: the acceleration of {contact.name} by a force"
+                yield Equation("", words, (contacts.mobility(c, d), total))
+
+    def _shown(self, tables: Iterable[Table]) -> Iterator[Equation]:
+        for table in tables:
+            sides = map(self.spelled, (table.entry, *table.sides))
+            yield Equation("", table.title, tuple(sides), table.where)
