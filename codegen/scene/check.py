@@ -10,7 +10,7 @@ from .data import STATE_UNITS, Phase, SceneData, forcing, v, x
 from .entries import check_entries
 from .error import SceneError, named
 from .names import COMMANDS, check_called, check_name
-from .parameters import check_extremes, check_memory, check_parameters
+from .parameters import check_extremes, check_known, check_memory, check_parameters, units_of
 from .phases import Units, check_neighbours, check_phase, check_same_units
 from .scales import scales
 from .smoothness import switches
@@ -43,8 +43,7 @@ def _check_motion(scene: SceneData) -> None:
     _check_phases(scene)
     check_parameters(scene.parameters, [phase.name for phase in scene.phases])
     _check_frequency(scene)
-    units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
-    units |= {q.symbol: dimension_of(q.unit) for q in scene.parameters}
+    units = units_of(scene)
     if scene.body is not None:
         check_body(scene, units)
         units |= units_of_contacts(scene.body)
@@ -118,18 +117,17 @@ def _check_frequency(scene: SceneData) -> None:
 
 
 def _check_whole(scene: SceneData, units: Units) -> None:
-    known = set(scene.symbols)
+    known = scene.symbols
     for words, expression in scene.requires.items():
         with named(f"requires {words!r}"):
             balance(sp.sympify(expression), units)
-            _check_free(expression, known)
+            check_known(sp.sympify(expression).free_symbols, known)
     for name, scale in scene.scales.items():
         with named(f"scales {name!r}"):
             if name not in SCALES:
                 raise SceneError(f"expected one of {', '.join(SCALES)}")
             if not sp.sympify(scale).is_number:  # a number is in SI
-                _check_dimension(scale, units, SCALES[name])
-            _check_free(scale, known)
+                _check_dimension(scale, units, SCALES[name], known)
             if sp.sympify(scale).is_nonpositive:
                 raise SceneError(f"got {scale}, expected what is positive")
     if isinstance(scene.guess, Mapping):
@@ -140,8 +138,7 @@ def _check_whole(scene: SceneData, units: Units) -> None:
         )
     for duration in scene.guess:
         with named("guess"):
-            _check_dimension(duration, units, "s")
-            _check_free(duration, known)
+            _check_dimension(duration, units, "s", known)
 
 
 def _check_start(scene: SceneData, units: Units) -> None:
@@ -154,8 +151,7 @@ def _check_start(scene: SceneData, units: Units) -> None:
         raise SceneError(f"start: got {found}, expected either x or v")
     for symbol, value in scene.start.items():
         with named("start"):
-            _check_dimension(value, units, STATE_UNITS[symbol])
-            _check_free(value, set(scene.symbols))
+            _check_dimension(value, units, STATE_UNITS[symbol], scene.symbols)
 
 
 def _check_used(scene: SceneData) -> None:
@@ -187,13 +183,11 @@ def _expressions(phase: Phase) -> list[sp.Expr]:
     return [*laws(phase), *ends, *phase.demands.values(), *held]
 
 
-def _check_free(expression: sp.Expr, known: set[sp.Symbol]) -> None:
-    strange = sorted(sp.sympify(expression).free_symbols - known, key=str)
-    if strange:
-        raise SceneError(f"{strange[0]} is not a parameter of the scene")
-
-
-def _check_dimension(expression: sp.Expr, units: Units, unit: str) -> None:
+def _check_dimension(
+    expression: sp.Expr, units: Units, unit: str, known: Iterable[sp.Symbol]
+) -> None:
+    """Check that an expression is in a unit, and in known symbols alone."""
     found = balance(sp.expand(expression), units)
     if found != dimension_of(unit):
         raise SceneError(f"{expression} is in {spelled(found)}, expected {unit}")
+    check_known(sp.sympify(expression).free_symbols, known)

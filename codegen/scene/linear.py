@@ -45,8 +45,11 @@ class State:
         return self.x, self.v, self.cos, self.constant, *self.memory
 
 
-def _parts(expression: sp.Expr, symbols: tuple[sp.Symbol, ...], what: str) -> list[sp.Expr]:
-    """Return the coefficient of each symbol, and the rest."""
+def parts(expression: sp.Expr, symbols: Sequence[sp.Symbol], what: str) -> list[sp.Expr]:
+    """Return the coefficient of each symbol, and the rest.
+
+    A `SceneError` that begins with `what` is raised if they are not linear in it.
+    """
     expanded = sp.expand(expression)
     with named(what):
         check_linear(expanded, symbols)
@@ -68,7 +71,7 @@ def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
         What is to have coefficients of its own; else it is part of `f`.
     """
     what = f"phase {phase.name}: equation"
-    m, c, k, g, *others, f = _parts(phase.equation, (a, v, x, forcing, *memory), what)
+    m, c, k, g, *others, f = parts(phase.equation, (a, v, x, forcing, *memory), what)
     if m == 0:
         raise SceneError(f"{what}: {phase.equation} has no acceleration a; {INSTEAD}")
     return LinearPhase(m, c, k, -f, -g, tuple(-h for h in others))
@@ -81,7 +84,7 @@ def state_row(expression: sp.Expr, what: str, memory: Sequence[sp.Symbol] = ()) 
     """
     if sp.sympify(expression).has(a):
         raise SceneError(f"{what}: {expression} has the acceleration a, expected x, v, forcing")
-    row_x, row_v, cos, *others, constant = _parts(
+    row_x, row_v, cos, *others, constant = parts(
         sp.sympify(expression), (x, v, forcing, *memory), what
     )
     return State(row_x, row_v, cos, constant, tuple(others))

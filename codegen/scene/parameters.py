@@ -1,7 +1,7 @@
 """What is checked of the parameters of a scene, its memory, and the extremes it names."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
@@ -85,9 +85,7 @@ def check_memory(
 
 def power_of_time(scene: SceneData, memory: Memory) -> int:
     """Return the p of the unit of a memory, a length over a time to the power p."""
-    units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
-    units |= {q.symbol: dimension_of(q.unit) for q in scene.parameters}
-    return -int(balance(sp.expand(memory.value), units)[2])
+    return -int(balance(sp.expand(memory.value), units_of(scene))[2])
 
 
 def _check_remembered(
@@ -128,21 +126,16 @@ def check_extremes(scene: SceneData) -> None:
     """
     if not isinstance(scene.extremes, Mapping):
         raise SceneError("extremes: expected a mapping {words: {symbol: value}}")
-    units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
-    units |= {q.symbol: dimension_of(q.unit) for q in scene.parameters}
-    of_symbol = {q.symbol: q for q in scene.parameters}
+    units, of_symbol = units_of(scene), {q.symbol: q for q in scene.parameters}
     defaults = {q.symbol: q.default for q in scene.parameters}
     for words, values in scene.extremes.items():
         with named(f"extremes {words!r}"):
             if not (isinstance(words, str) and isinstance(values, Mapping) and values):
                 raise SceneError("expected text, and a mapping {symbol: value}")
             for symbol, value in values.items():
-                if symbol not in of_symbol:
-                    raise SceneError(f"{symbol} is not a parameter of the scene")
                 expression = _expression(value)
-                strange = sorted(expression.free_symbols - set(of_symbol), key=str)
-                if strange:
-                    raise SceneError(f"{strange[0]} is not a parameter of the scene")
+                check_known({symbol}, of_symbol)
+                check_known(expression.free_symbols, of_symbol)
                 if not expression.is_number:  # a number is in SI
                     unit = balance(expression, units)
                     if unit != dimension_of(of_symbol[symbol].unit):
@@ -156,6 +149,19 @@ def check_extremes(scene: SceneData) -> None:
                         f"{symbol} is {value} of the default parameters, "
                         f"expected {bounds(of_symbol[symbol])}"
                     )
+
+
+def units_of(scene: SceneData) -> dict[sp.Symbol, Dimension]:
+    """Return the units of the state of the motion and of the parameters."""
+    units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
+    return units | {q.symbol: dimension_of(q.unit) for q in scene.parameters}
+
+
+def check_known(symbols: set[sp.Symbol], known: Iterable[sp.Symbol]) -> None:
+    """Check that symbols are parameters; a `SceneError` names one that is not."""
+    strange = sorted(symbols - set(known), key=str)
+    if strange:
+        raise SceneError(f"{strange[0]} is not a parameter of the scene")
 
 
 def _expression(value: object) -> sp.Expr:

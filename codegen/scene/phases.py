@@ -47,7 +47,7 @@ def check_phase(
         with named(f"{field}: held"):
             if sp.simplify(phase.equation / a).has(a) or linear_phase(phase).c != 0:
                 raise SceneError(f"got the equation {phase.equation}, expected a")
-            _check_velocity(phase.held, units)
+            check_velocity(phase.held, units)
             if sp.sympify(phase.held).has(x, v, forcing, *memory):
                 raise SceneError(f"got {phase.held}, expected a velocity in the parameters")
         if row.cos == 0 and (row.x == 0 or sp.sympify(phase.held) == 0):
@@ -80,7 +80,8 @@ def checked_fields(
         yield name, value
 
 
-def _check_velocity(value: sp.Expr, units: Units) -> None:
+def check_velocity(value: sp.Expr, units: Units) -> None:
+    """Check that a value is a velocity, or zero; a `SceneError` if it is not."""
     value = sp.sympify(value)
     if value != 0 and balance(value, units) != units[v]:
         raise SceneError(f"{value} is not a velocity")
@@ -91,7 +92,7 @@ def _check_jump(phase: Phase, units: Units, memory: Sequence[sp.Symbol]) -> None
         with named(f"phase {phase.name}: jump"):
             if symbol != v:
                 raise SceneError(f"got a jump of {symbol}, expected one of v")
-            _check_velocity(value, units)
+            check_velocity(value, units)
             row = state_row(value, f"phase {phase.name}: jump")
             if row.x != 0 or row.cos != 0 or sp.sympify(value).has(*memory):
                 raise SceneError(f"got {value}, expected the velocity v alone in it")

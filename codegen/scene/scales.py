@@ -2,44 +2,67 @@
 
 import sympy as sp
 
-from .bodies.check import scales_of_body
+from .bodies.body import Body
+from .bodies.law import body_of
 from .data import SceneData
 from .error import SceneError
-from .linear import LinearPhase, linear_phase
+from .linear import linear_phase
 
 
 def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Return the units of mass, time and length, in the parameters.
+    """Return the units of mass, time and length, in the parameters and SI numbers.
 
-    What the scene does not say: the mass that moves; ``1/Omega``, or ``sqrt(m/k)`` where
-    nothing forces; what the force amounts to in that time, or the distance that a held mass
-    travels in it.  A `SceneError` is raised if one of them cannot be worked out.
+    What the scene does not say: the mass that moves, of a body what its first contact picks;
+    ``1/Omega``, or ``sqrt(m/k)`` where nothing forces; what the force amounts to in that time,
+    or the distance that a held mass travels in it.  A `SceneError` is raised if one of them
+    cannot be worked out.
     """
-    if scene.body is not None:
-        return scales_of_body(scene)
+    given = {name: sp.sympify(value) for name, value in scene.scales.items()}
+    of_body = scene.body is not None
+    mass, period, force = (_of_body if of_body else _of_mass)(scene, given.get("mass"))
+    time = given.get("time", period if scene.frequency is None else 1 / scene.frequency)
+    if time is None:
+        raise SceneError(
+            "scales: no time can be worked out (no forcing, no spring): give 'time'"
+        )
+    speeds = [phase.held for phase in scene.phases if phase.held]
+    if "length" in given:
+        return mass, time, given["length"]
+    if force is None and not speeds:
+        raise SceneError(
+            "scales: no length can be worked out (no forcing, no held speed): give it"
+        )
+    length = sp.Abs(speeds[0]) * time if force is None else force * time**2 / mass
+    return mass, time, length if of_body else sp.simplify(length)
+
+
+#: A mass, ``sqrt(m/k)`` if there is a spring, the size of the forcing if there is one.
+Sizes = tuple[sp.Expr, sp.Expr | None, sp.Expr | None]
+
+
+def _of_mass(scene: SceneData, mass: sp.Expr | None) -> Sizes:
     memory = [q.symbol for q in scene.memory]
     free = [linear_phase(phase, memory) for phase in scene.phases if phase.held is None]
-    given = {name: sp.sympify(value) for name, value in scene.scales.items()}
-    mass = given.get("mass", free[0].m)
-    time = given.get("time") or _time(scene, free)
-    length = given.get("length") or _length(scene, free, mass, time)
-    return mass, time, length
+    periods = (sp.sqrt(q.m / q.k) for q in free if q.k != 0)
+    forces = (sp.Abs(q.g) for q in free if q.g != 0)
+    return mass or free[0].m, next(periods, None), next(forces, None)
 
 
-def _time(scene: SceneData, free: list[LinearPhase]) -> sp.Expr:
-    if scene.frequency is not None:
-        return 1 / scene.frequency
-    for phase in free:
-        if phase.k != 0:
-            return sp.sqrt(phase.m / phase.k)
-    raise SceneError("scales: no time can be worked out (no forcing, no spring): give 'time'")
+def _of_body(scene: SceneData, mass: sp.Expr | None) -> Sizes:
+    body, force = body_of(scene), None
+    mass = mass or _at_contact(body, "M")
+    if "forcing" in body.arrays:
+        squares = (sp.sympify(q) ** 2 for q in body.arrays["forcing"].values)
+        force = sp.simplify(sp.sqrt(sp.Add(*squares)))
+    return mass, sp.sqrt(mass / _at_contact(body, "K")), force
 
 
-def _length(scene: SceneData, free: list[LinearPhase], mass: sp.Expr, time: sp.Expr) -> sp.Expr:
-    for phase in free:
-        if phase.g != 0:
-            return sp.simplify(sp.Abs(phase.g) * time**2 / mass)
-    for held in (phase.held for phase in scene.phases):
-        if held is not None and held != 0:
-            return sp.simplify(sp.Abs(held) * time)
-    raise SceneError("scales: no length can be worked out (no forcing, no held speed): give it")
+def _at_contact(body: Body, name: str) -> sp.Expr:
+    """Return ``w^T M w`` or ``w^T K w`` of the first contact."""
+    column, matrix = body.arrays["at"].dense()[:, 0], body.arrays[name]
+    places = zip(matrix.rows, matrix.columns, matrix.values, strict=True)
+    return sp.Add(*(
+        sp.sympify(value) * column[i] * column[j]
+        for i, j, value in places
+        if column[i] and column[j]
+    ))  # fmt: skip

@@ -8,7 +8,7 @@ vanish there: the event, the velocity at which a constraint holds the mass, and 
 sets a memory to.  A memory is a constant of the periodic motion and one more entry of y.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -55,11 +55,15 @@ def switches(scene: SceneData) -> tuple[Switch, ...]:
 
     A `SceneError` is raised if nothing changes at a switch.
     """
-    phases = scene.cell
-    return tuple(
-        Switch(left.name, right.name, _class(scene, left, right, scene.sign if q == 0 else 1))
-        for q, (left, right) in enumerate(zip((phases[-1], *phases[:-1]), phases, strict=True))
-    )
+    found = []
+    for left, right, sign in _sides(scene):
+        k = _order(scene, left, right, sign, {})
+        if k is None:
+            raise SceneError(
+                f"phase {right.name}: its motion is that of {left.name}; nothing changes"
+            )
+        found.append(Switch(left.name, right.name, k))
+    return tuple(found)
 
 
 def classes_of(scene: SceneData, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[int, ...]:
@@ -67,12 +71,17 @@ def classes_of(scene: SceneData, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[i
 
     It is `HIGHEST` where nothing changes for them.
     """
-    phases = scene.cell
     known = {q: sp.nsimplify(value, rational=True) for q, value in values.items()}
-    pairs = enumerate(zip((phases[-1], *phases[:-1]), phases, strict=True))
-    signs = (scene.sign, *(1 for _ in phases[1:]))
-    found = (_order(scene, left, right, signs[q], known) for q, (left, right) in pairs)
+    found = (_order(scene, *sides, known) for sides in _sides(scene))
     return tuple(HIGHEST if k is None else k for k in found)
+
+
+def _sides(scene: SceneData) -> Iterator[tuple[Phase, Phase, int]]:
+    """Yield the phases on both sides of each switch, and the sign of the motion there."""
+    left, sign = scene.cell[-1], scene.sign
+    for right in scene.cell:
+        yield left, right, sign
+        left, sign = right, 1
 
 
 def generator(
@@ -121,15 +130,6 @@ def known_rows(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[l
             known.append([row.x, row.v, row.constant, row.cos, 0, *nothing])
             known[-1][5 + column] = sp.Integer(-1)
     return known
-
-
-def _class(scene: SceneData, left: Phase, right: Phase, sign: int) -> int:
-    found = _order(scene, left, right, sign, {})
-    if found is None:
-        raise SceneError(
-            f"phase {right.name}: its motion is that of {left.name}; nothing changes"
-        )
-    return found
 
 
 def _order(

@@ -9,7 +9,8 @@ import sympy as sp
 from ..data import Phase, SceneData, forcing
 from ..error import SceneError, named
 from ..linear import without_modulus
-from ..phases import Units, checked_fields
+from ..parameters import check_known
+from ..phases import Units, check_velocity, checked_fields
 from ..units import Dimension, balance, dimension_of, spelled
 from .body import UNITS, Body, Entries
 from .law import body_of, form, law_rows, place
@@ -36,9 +37,8 @@ def check_body(scene: SceneData, units: Units) -> None:
     if not isinstance(body, Body):
         raise SceneError(f"body: got {body!r:.60}, expected a Body")
     known = {q.symbol: q.default for q in scene.parameters}
-    strange = sorted(body.symbols - set(known), key=str)
-    if strange:
-        raise SceneError(f"body: {strange[0]} is not a parameter of the scene")
+    with named("body"):
+        check_known(body.symbols, known)
     for name, number in (("ratio", body.ratio), ("modes", body.modes)):
         if isinstance(number, sp.Symbol) and units[number] != dimension_of(""):
             raise SceneError(f"body: {name}: {number} has a unit, expected a pure number")
@@ -137,8 +137,7 @@ def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
             alone = place(body_of(scene), contacts[0].a)
             if any(c != 0 for i, c in enumerate(rows[0]) if i != alone):
                 raise SceneError(f"got the equation {phase.equation}, expected {contacts[0].a}")
-            if speed != 0 and balance(speed, units) != dimension_of("m/s"):
-                raise SceneError(f"{speed} is not a velocity")
+            check_velocity(speed, units)
     elif any(
         row[place(body_of(scene), q.force)] == 0 for q, row in zip(contacts, rows, strict=True)
     ):
@@ -151,43 +150,3 @@ def _states(scene: SceneData) -> tuple[sp.Symbol, ...]:
     """Return the symbols in which demands are linear."""
     each = (q.symbols for q in body_of(scene).at.values())
     return (*(symbol for symbols in each for symbol in symbols), forcing)
-
-
-def scales_of_body(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Return the units of mass, time and length of a body, in the parameters and SI numbers.
-
-    The mass that its first contact picks; ``1/Omega``, or what the stiffness there gives; what
-    the forcing amounts to in that time, or the distance that a held contact travels.  A
-    `SceneError` is raised if one cannot be worked out.
-    """
-    given = {name: sp.sympify(value) for name, value in scene.scales.items()}
-    mass = given.get("mass", _at_contact(body_of(scene), "M"))
-    time = given.get("time") or (1 / scene.frequency if scene.frequency else None)
-    time = time or sp.sqrt(mass / _at_contact(body_of(scene), "K"))
-    length = given.get("length")
-    if length is None and "forcing" in body_of(scene).arrays:
-        size = sp.sqrt(
-            sp.Add(*(sp.sympify(q) ** 2 for q in body_of(scene).arrays["forcing"].values))
-        )
-        length = sp.simplify(size) * time**2 / mass
-    speeds = [p.held for p in scene.phases if p.held is not None and p.held != 0]
-    if length is None and speeds:
-        length = sp.Abs(speeds[0]) * time
-    if length is None:
-        raise SceneError(
-            "scales: no length can be worked out (no forcing, no held speed): give it"
-        )
-    return mass, time, length
-
-
-def _at_contact(body: Body, name: str) -> sp.Expr:
-    """Return ``w^T M w`` or ``w^T K w`` of the first contact."""
-    column = body.arrays["at"].dense()[:, 0]
-    matrix = body.arrays[name]
-    return sp.Add(
-        *(
-            sp.sympify(value) * column[i] * column[j]
-            for i, j, value in zip(matrix.rows, matrix.columns, matrix.values, strict=True)
-            if column[i] and column[j]
-        )
-    )

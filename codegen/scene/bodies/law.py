@@ -11,7 +11,8 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from ..data import Phase, SceneData, forcing
-from ..error import SceneError, check_linear, named
+from ..error import SceneError
+from ..linear import parts
 from .body import Body
 
 #: Derivatives of the force that are looked at.
@@ -39,14 +40,9 @@ def form(
     A `SceneError` is raised if `expression` is not one; the message begins with `what`.
     """
     own = [q.symbol for q in scene.memory] if memory else []
-    known = [*signals(body_of(scene)), *own]
-    symbols = [q for q in known if q != 1]
-    expanded = sp.expand(sp.sympify(expression))
-    with named(what):
-        check_linear(expanded, symbols)
-    found = {q: sp.diff(expanded, q) for q in symbols}
-    rest = sp.expand(expanded - sum(c * q for q, c in found.items()))
-    return tuple(sp.factor_terms(found.get(q, rest)) for q in known)
+    symbols = [q for q in (*signals(body_of(scene)), *own) if q != 1]
+    *found, rest = parts(sp.sympify(expression), symbols, what)
+    return (*found[:3], rest, *found[3:])
 
 
 def laws(phase: Phase) -> tuple[sp.Expr, ...]:
