@@ -43,20 +43,17 @@ class NumericPrinter(PythonCodePrinter):  # type: ignore[misc]
     def _print_factorial(self, expr: sp.Expr) -> str:
         return f"rising(1, {self._print(expr.args[0])})"
 
-
-class ScenePrinter(NumericPrinter):
-    """Print numbers as floats would be read."""
-
     def _print_Exp1(self, expr: sp.Expr) -> str:
         return "exp(1)"  # e may be a parameter
 
 
-_PRINTER = ScenePrinter({"fully_qualified_modules": False, "allow_unknown_functions": True})
+#: Functions by the names that they have in the module ``math``.
+PRINTER = NumericPrinter({"fully_qualified_modules": False, "allow_unknown_functions": True})
 
 
 def python(expression: sp.Expr) -> str:
     """Return an expression in Python, functions by their names in the module ``math``."""
-    return str(_PRINTER.doprint(sp.sympify(expression)))
+    return str(PRINTER.doprint(sp.sympify(expression)))
 
 
 #: The functions of the module ``math``, and its number.

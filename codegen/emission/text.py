@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..python_text import NumericPrinter, digest, math_names
+from ..python_text import PRINTER, digest, math_names
 
 
 @dataclass(frozen=True)
@@ -37,9 +37,7 @@ def expression_source(form: ClosedForm, value: sp.Expr) -> str:
     """Return what `sympy.lambdify` writes behind ``return`` for one value of `form`."""
     if value.is_Integer:
         return f"{value}.0"  # of one type with the other values
-    settings = {"fully_qualified_modules": False, "allow_unknown_functions": True}
-    printer = NumericPrinter(settings)
-    function = sp.lambdify(form.arguments, value, modules="math", printer=printer)
+    function = sp.lambdify(form.arguments, value, modules="math", printer=PRINTER)
     return inspect.getsource(function).partition("return ")[2].strip()
 
 

@@ -78,8 +78,8 @@ def _check_parameter(q: Parameter) -> None:
     _expect("parameter: name", q.name, str, "text")
     field = f"parameter {q.name}"
     _expect(f"{field}: symbol", q.symbol, sp.Symbol, "a SymPy symbol")
-    _expect(f"{field}: unit", q.unit, str, "text")
-    _expect(f"{field}: what", q.what, str, "text")
+    for name in ("unit", "what"):
+        _expect(f"{field}: {name}", getattr(q, name), str, "text")
     for name in ("default", "most"):
         value = getattr(q, name)
         number = isinstance(value, int | float | sp.Number) and not isinstance(value, bool)

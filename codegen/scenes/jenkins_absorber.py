@@ -2,20 +2,12 @@
 
 import sympy as sp
 
-from ..scene import Body, Event, Memory, Parameter, Phase, Scene
+from ..scene import Event, Memory, Parameter, Phase, Scene
+from .absorber_friction import JOINT, PAIR, F, Omega, c1, c2, f_R, k1, k2, m1, m2
 
-m1, m2, k1, k2, k_t, f_R, F, Omega = sp.symbols("m1 m2 k1 k2 k_t f_R F Omega", positive=True)
-c1, c2 = sp.symbols("c1 c2", nonnegative=True)
+k_t = sp.Symbol("k_t", positive=True)
 w = sp.Symbol("w", real=True)
 
-PAIR = Body(
-    M=sp.diag(m1, m2),
-    K=sp.Matrix([[k1 + k2, -k2], [-k2, k2]]),
-    C=sp.Matrix([[c1 + c2, -c2], [-c2, c2]]),
-    forcing=sp.Matrix([F, 0]),
-    at={"joint": [-1, 1]},
-)
-JOINT = PAIR.at["joint"]
 PULL = k_t * (JOINT.x - w)
 
 SLIP = Phase(

@@ -9,6 +9,7 @@ import sympy as sp
 from ...scene import Scene, switches
 from ...scene.bodies.body import Contact
 from ...scene.bodies.law import body_of, form, law_rows, place
+from ..condition import Times
 
 #: The index of a pole, and how many there are: one of each pair.
 j, L = sp.symbols("j L", integer=True, positive=True)
@@ -139,13 +140,9 @@ class Contacts:
 
     def is_given(self, p: int) -> bool:
         """Whether the laws of a phase say its forces, whatever the body does."""
-        body, one = body_of(self.scene), sp.Integer(1)
-        own = {3, *(place(body, contact.force) for contact in self.each)}
-        moving = self.seen([(one, one, one)] * len(self.each), one, one)[
-            : 2 + 4 * len(self.each)
-        ]
-        seen = [i for i, q in enumerate(moving) if q != 0 and i not in own]
-        return all(row[i] == 0 for row in self.laws(p) for i in seen)
+        body = body_of(self.scene)
+        moving = [2, *(place(body, q) for c in self.each for q in (c.x, c.v, c.a))]
+        return all(row[i] == 0 for row in self.laws(p) for i in moving)
 
     def by_law(self, p: int, seen: Sequence[sp.Expr]) -> list[sp.Expr]:
         """Return the forces that the laws of a phase make of what is seen without them."""
@@ -173,6 +170,19 @@ class Contacts:
                 law = (scene.sign if last else 1) * sp.sympify(after.held)
             if law != contact.v:
                 yield c, law
+
+
+class OfForces:
+    """What an expansion of contact forces is of, and what its tables are called."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene, self.times, self.contacts = scene, Times.of(scene), Contacts(scene)
+        self.count, self.phases = len(self.contacts.each), range(len(scene.phases))
+
+    def table(self, letter: str, *which: int, phase: int | None = None) -> sp.IndexedBase:
+        """Return what a table is called: of contacts, of a phase."""
+        word = "" if phase is None else self.scene.phases[phase].name
+        return sp.IndexedBase(self.contacts.name(letter, *which, word=word))
 
 
 def dot(row: Sequence[sp.Expr], values: Sequence[sp.Expr]) -> sp.Expr:

@@ -11,42 +11,30 @@ import sympy as sp
 from ...scene import Scene
 from ...system import ShiftedLegendre
 from .. import force_series
-from ..condition import Block, BodyConditions, Condition, N, Table, Times
+from ..condition import Block, BodyConditions, Condition, N, Table
 from ..force_series import kappa
 from . import joints
-from .contacts import Contacts, dot, j, pole
+from .contacts import OfForces, dot, j, pole
 
 m, n = sp.symbols("m n", integer=True, nonnegative=True)
 
 #: Local time of a phase, and of what a force did before it.
 u, y = sp.symbols("u y", nonnegative=True)
 
-#: Of a pole, as functions of ``kappa = lambda_j s``.
-a, Z = sp.IndexedBase("a"), sp.IndexedBase("Z")
-
 
 def derive(scene: Scene, method: str, title: str) -> BodyConditions:
     """Return the conditions of a body in the force series."""
-    times, contacts = Times.of(scene), Contacts(scene)
-    own = _Series(scene, times, contacts)
+    own = _Series(scene)
     rows = (
-        *(row for p in range(len(scene.phases)) for row in own.tested(p)),
-        *joints.conditions(scene, times, own.seen),
+        *(row for p in own.phases for row in own.tested(p)),
+        *joints.conditions(scene, own.times, own.seen),
     )
-    found = tuple(own.blocks()), times, rows, tuple(own.expansion()), tuple(own.tables())
+    found = tuple(own.blocks()), own.times, rows, tuple(own.expansion()), tuple(own.tables())
     return BodyConditions(scene, method, title, *found)
 
 
-class _Series:
+class _Series(OfForces):
     """The pieces of the force series of one scene."""
-
-    def __init__(self, scene: Scene, times: Times, contacts: Contacts) -> None:
-        self.scene, self.times, self.contacts = scene, times, contacts
-        self.count = len(contacts.each)
-
-    def named(self, letter: str, p: int) -> sp.IndexedBase:
-        """Return what a table of a phase is called."""
-        return sp.IndexedBase(f"{letter}_{self.scene.phases[p].name}")
 
     def force(self, p: int, c: int) -> sp.IndexedBase:
         """Return the coefficients of a force in a phase."""
@@ -83,7 +71,7 @@ class _Series:
     def seen(self, p: int, at_end: bool) -> list[sp.Expr]:
         """Return what forms are of where a phase begins or ends, the forces 0."""
         q, letter = (p + 1, "w") if at_end else (p, "z")
-        state, wave = self.named(letter, p)[j], self.wave(q)
+        state, wave = self.table(letter, phase=p)[j], self.wave(q)
         parts = self.contacts.of_poles(state, wave if self.times.frequency else sp.Integer(0))
         return self.contacts.seen(parts, self.times.forcing(self.times.start(q)), sp.S.One)
 
@@ -92,9 +80,9 @@ class _Series:
         name, last = self.scene.phases[p].name, self.last(p)
         wave, cosine = sp.Integer(0), sp.Integer(0)
         if self.times.frequency is not None:
-            wave = self.wave(p) * self.named("nu", p)[m]
+            wave = self.wave(p) * self.table("nu", phase=p)[m]
             cosine = sp.re(wave)
-        parts = self.contacts.of_poles(self.named("y", p)[m, j], wave)
+        parts = self.contacts.of_poles(self.table("y", phase=p)[m, j], wave)
         seen = self.contacts.seen(parts, cosine, sp.KroneckerDelta(m, 0))
         forces = [self.force(p, c)[m] / (2 * m + 1) for c in range(self.count)]
         values = self.contacts.forced(seen, forces)
@@ -113,79 +101,66 @@ class _Series:
         cell, sign = self.times.cell, self.times.sign
         for p, phase in enumerate(phases):
             s = self.times.durations[p]
-            gain = [
-                self.contacts.chi(c)
-                * sp.Sum(
-                    (-1) ** n * self.named("a", p)[n, j] * self.force(p, c)[n],
-                    (n, 0, self.last(p)),
-                ).doit(deep=False)
-                for c in range(self.count)
-            ]
+            gain = self._by_forces(p, (-1) ** n * self.table("a", phase=p)[n, j])
             of_phase = sp.Integral(ShiftedLegendre(m, u) * sp.exp(pole[j] * s * u), (u, 0, 1))
             words = f"what a pole makes in {phase.name} of its state"
-            yield Table(self.named("a", p)[m, j], words, (of_phase, a_at(m, pole[j] * s)))
+            yield Table(self.table("a", phase=p)[m, j], words, (of_phase, a_at(m, pole[j] * s)))
             words = f"what a pole makes in {phase.name} of a force"
-            yield Table(self.named("Z", p)[m, n, j], words, (Z_at(m, n, pole[j] * s),))
+            yield Table(self.table("Z", phase=p)[m, n, j], words, (Z_at(m, n, pole[j] * s),))
             if self.times.frequency is not None:
                 words = f"the forcing in {phase.name}, tested"
                 turned = sp.I * self.times.frequency * s
-                yield Table(self.named("nu", p)[m], words, (a_at(m, turned),))
+                yield Table(self.table("nu", phase=p)[m], words, (a_at(m, turned),))
             words = f"what the force in {phase.name} adds to a pole"
-            yield Table(self.named("g", p)[j], words, (s * sp.Add(*gain),))
+            yield Table(self.table("g", phase=p)[j], words, (s * gain,))
         yield Table(
-            self.named("z", 0)[j],
+            self.table("z", phase=0)[j],
             f"state of a pole where {phases[0].name} begins: the motion repeats",
             (sign * self._added() / (1 - sign * sp.exp(pole[j] * cell)),),
         )
         for p, phase in enumerate(phases):
             s = self.times.durations[p]
-            z, w = self.named("z", p)[j], self.named("w", p)[j]
+            z, w = self.table("z", phase=p)[j], self.table("w", phase=p)[j]
             words = f"state of a pole where {phase.name} ends"
-            end = sp.exp(pole[j] * s) * z + self.named("g", p)[j]
+            end = sp.exp(pole[j] * s) * z + self.table("g", phase=p)[j]
             yield Table(w, words, (end,))
             if p + 1 < len(phases):
                 words = f"state of a pole where {phases[p + 1].name} begins"
-                yield Table(self.named("z", p + 1)[j], words, (w + self._pushed(p),))
+                yield Table(self.table("z", phase=p + 1)[j], words, (w + self._pushed(p),))
         for p, phase in enumerate(phases):
             s = self.times.durations[p]
-            forced = [
-                self.contacts.chi(c)
-                * sp.Sum(
-                    self.named("Z", p)[m, n, j] * self.force(p, c)[n], (n, 0, self.last(p))
-                ).doit(deep=False)
-                for c in range(self.count)
-            ]
-            tested = self.named("a", p)[m, j] * self.named("z", p)[j] + s * sp.Add(*forced)
+            forced = self._by_forces(p, self.table("Z", phase=p)[m, n, j])
+            tested = self.table("a", phase=p)[m, j] * self.table("z", phase=p)[j] + s * forced
             words = f"state of a pole in {phase.name}, tested with `P*_m`"
-            yield Table(self.named("y", p)[m, j], words, (tested,))
+            yield Table(self.table("y", phase=p)[m, j], words, (tested,))
+
+    def _by_forces(self, p: int, weight: sp.Expr) -> sp.Expr:
+        """Return what the weighted coefficients of the forces in a phase do to a pole."""
+        limits = n, 0, self.last(p)
+        sums = (
+            sp.Sum(weight * self.force(p, c)[n], limits).doit(deep=False)
+            for c in range(self.count)
+        )
+        return sp.Add(*(self.contacts.chi(c) * total for c, total in enumerate(sums)))
 
     def _pushed(self, p: int) -> sp.Expr:
         """Return what the impulses at the end of a phase add to a pole."""
-        return sp.Add(
-            *(
-                self.contacts.chi(c) * joints.impulse(self.contacts, p, c)
-                for c, _ in self.contacts.impulses(p)
-            )
-        )
+        contacts = self.contacts
+        hit = (c for c, _ in contacts.impulses(p))
+        return sp.Add(*(contacts.chi(c) * joints.impulse(contacts, p, c) for c in hit))
 
     def _added(self) -> sp.Expr:
         """Return what a cell adds to a pole."""
         parts = []
-        for p in range(len(self.scene.phases)):
+        for p in self.phases:
             rest = sp.Add(*self.times.durations[p + 1 :])
-            added = self.named("g", p)[j] + self._pushed(p)
+            added = self.table("g", phase=p)[j] + self._pushed(p)
             parts.append(sp.exp(pole[j] * rest) * added)
         return sp.Add(*parts)
 
 
-def a_at(m: sp.Expr, argument: sp.Expr) -> sp.Expr:
-    """Return ``a_m`` of an argument, as it is shown."""
-    return sp.Function("a")(m, argument)
-
-
-def Z_at(m: sp.Expr, n: sp.Expr, argument: sp.Expr) -> sp.Expr:
-    """Return ``Z_mn`` of an argument, as it is shown."""
-    return sp.Function("Z")(m, n, argument)
+#: ``a_m``, ``b_n`` and ``Z_mn`` of an argument, as they are shown.
+a_at, b_at, Z_at = map(sp.Function, "abZ")
 
 
 def integrals() -> Iterator[Table]:
@@ -201,6 +176,9 @@ def integrals() -> Iterator[Table]:
     def of(m: sp.Expr) -> sp.Expr:
         return a_at(m, kappa)
 
+    def kept(n: sp.Expr) -> sp.Expr:
+        return b_at(n, kappa)
+
     def both(m: sp.Expr, n: sp.Expr) -> sp.Expr:
         return Z_at(m, n, kappa)
 
@@ -213,21 +191,16 @@ def integrals() -> Iterator[Table]:
     words = (
         "what a pole keeps of a force: the inner integral is `b_n e^(kappa u)` and a polynomial"
     )
-    yield Table(b_at(sp.S.Zero), words, (put("answer_0", {}),))
-    yield Table(b_at(sp.S.One), "its second entry", (put("answer_1", {here: b_at(sp.S.Zero)}),))
-    up = put("next_answer", {before: b_at(n - 1), here: b_at(n)})
-    yield Table(b_at(n + 1), "its recurrence", (up,), "`n > 0`")
+    yield Table(kept(sp.S.Zero), words, (put("answer_0", {}),))
+    yield Table(kept(sp.S.One), "its second entry", (put("answer_1", {here: kept(sp.S.Zero)}),))
+    up = put("next_answer", {before: kept(n - 1), here: kept(n)})
+    yield Table(kept(n + 1), "its recurrence", (up,), "`n > 0`")
     inner = sp.Integral(sp.exp(kappa * (u - y)) * ShiftedLegendre(n, y), (y, 0, u))
     both_ = sp.Integral(ShiftedLegendre(m, u) * inner, (u, 0, 1))
     yield Table(both(m, n), "what a pole makes of a force", (both_,))
-    yield Table(both(m, n), "below the diagonal", (of(m) * b_at(n),), "`m > n`")
+    yield Table(both(m, n), "below the diagonal", (of(m) * kept(n),), "`m > n`")
     yield Table(both(n, m), "above it", ((-1) ** (m + n) * both(m, n),), "`m > n`")
     first = put("response_0", {here: of(sp.S.Zero), force_series.after: of(sp.S.One)})
     yield Table(both(sp.S.Zero, sp.S.Zero), "its first entry", (first,))
     values = {before: both(n, n - 1), force_series.after: both(n + 1, n)}
     yield Table(both(n, n), "on the diagonal", (put("same_response", values),), "`n > 0`")
-
-
-def b_at(n: sp.Expr) -> sp.Expr:
-    """Return ``b_n`` of kappa, as it is shown."""
-    return sp.Function("b")(n, kappa)

@@ -6,9 +6,9 @@ from typing import NamedTuple
 import sympy as sp
 
 from ...scene import Scene, switches
-from ..condition import N, Times
+from ..condition import N
 from . import joints
-from .contacts import Contacts, j, pole
+from .contacts import OfForces, j, pole
 
 #: A harmonic of a test, of a force, of a product, of a function.
 m, n, l = sp.symbols("m n l", integer=True)
@@ -27,7 +27,7 @@ class Function(NamedTuple):
     contact: int
 
 
-class Terms:
+class Terms(OfForces):
     """The harmonics of one scene: what its unknowns and tables are called, and forms of them.
 
     Parameters
@@ -38,8 +38,7 @@ class Terms:
     """
 
     def __init__(self, scene: Scene, functions: int) -> None:
-        self.scene, self.times, self.contacts = scene, Times.of(scene), Contacts(scene)
-        self.count, self.phases = len(self.contacts.each), range(len(scene.phases))
+        super().__init__(scene)
         first = [max(switch.k, 1) for switch in switches(scene)]
         self.functions = [
             Function(p, first[p] + i, c)
@@ -75,11 +74,6 @@ class Terms:
     def wave(self, index: sp.Expr, p: int) -> sp.Expr:
         """Return a harmonic where phase `p` begins."""
         return sp.exp(sp.I * self.number(index) * omega_0 * self.times.start(p))
-
-    def table(self, letter: str, *which: int, phase: int | None = None) -> sp.IndexedBase:
-        """Return what a table is called: of contacts, of a phase."""
-        word = "" if phase is None else self.scene.phases[phase].name
-        return sp.IndexedBase(self.contacts.name(letter, *which, word=word))
 
     def force(self, c: int) -> sp.IndexedBase:
         """Return the harmonics of a force."""
@@ -171,18 +165,21 @@ class Terms:
 
     def constant(self, p: int) -> list[sp.Expr]:
         """Return the forces in a phase by what is constant, memory included."""
-        nothing = (sp.Integer(0),) * 3
-        seen = self.contacts.seen([nothing] * self.count, sp.Integer(0), sp.Integer(1))
-        return self.contacts.by_law(p, seen)
+        nothing = [(sp.Integer(0),) * 3] * self.count
+        return self._by_law(p, nothing, one=1)
 
     def driven(self, p: int) -> list[sp.Expr]:
         """Return the complex amplitude of the forces in a phase by the forcing."""
         if self.times.frequency is None:
             return [sp.Integer(0)] * self.count
-        answers = self.contacts.of_response()
-        seen = self.contacts.seen(answers, sp.Integer(1), sp.Integer(0))
-        return self.contacts.by_law(p, seen)
+        return self._by_law(p, self.contacts.of_response(), wave=1)
 
     def by_parts(self, p: int, parts: Sequence[tuple[sp.Expr, ...]]) -> list[sp.Expr]:
         """Return the forces in a phase by displacements, velocities, accelerations alone."""
-        return self.contacts.by_law(p, self.contacts.seen(parts, sp.Integer(0), sp.Integer(0)))
+        return self._by_law(p, parts)
+
+    def _by_law(
+        self, p: int, parts: Sequence[tuple[sp.Expr, ...]], wave: int = 0, one: int = 0
+    ) -> list[sp.Expr]:
+        seen = self.contacts.seen(parts, sp.Integer(wave), sp.Integer(one))
+        return self.contacts.by_law(p, seen)
