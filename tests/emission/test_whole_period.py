@@ -8,6 +8,7 @@ import one_mass
 import pytest
 import sympy as sp
 from flint import arb
+from galerkin.solving import differences, jacobian, residual
 from numpy.polynomial import legendre
 
 from nonsmooth.codegen.emission.whole_period import LAST
@@ -17,10 +18,6 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.precision.balls import as_balls, precision, residual_in_balls
 from nonsmooth.solver.scenes.arrays import Arrays, arrays_of
-
-#: Differences of order 8.
-STEPS = (1, 2, 3, 4)
-WEIGHTS = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
 
 MOTIONS = {one.label: one for name in one_mass.NAMES for one in registry.load(name).each_motion}
 
@@ -61,46 +58,15 @@ def unknowns(module, arrays, order, seed=0):
     return z
 
 
-def residual(module, arrays, z):
-    R = np.full(len(z), np.nan)
-    module.residual(arrays, z, R)
-    return R
-
-
-def jacobian(module, arrays, z):
-    J = np.full((len(z), len(z)), np.nan)
-    module.jacobian(arrays, z, J)
-    return J
-
-
-def check_rates(module, arrays, order):
-    """Check a Jacobian against differences, each column and row of its own size."""
-    z = unknowns(module, arrays, order)
-    J, expected = jacobian(module, arrays, z), np.zeros((len(z), len(z)))
-    for column in range(len(z)):
-        for step, weight in zip(STEPS, WEIGHTS, strict=True):
-            moved = np.zeros(len(z))
-            moved[column] = 2.0**-7 * step
-            ends = [residual(module, arrays, z + side * moved) for side in (1, -1)]
-            expected[:, column] += weight * (ends[0] - ends[1]) / 2.0**-7
-    size = np.abs(J).max(axis=1, keepdims=True)
-    np.testing.assert_allclose(J / size, expected / size, atol=1e-8)
-
-
 @pytest.mark.parametrize("cell", CELLS)
 def test_a_jacobian_is_that_of_its_residual(cell):
-    check_rates(hb, made(*CELLS[cell]), 3)
-
-
-@pytest.mark.parametrize("functions", [0, 2])
-@pytest.mark.parametrize("motion", MOTIONS)
-def test_so_it_is_for_scenes(motion, functions):
-    arrays = arrays_for(MOTIONS[motion], functions)
-    check_rates(hb, arrays, 3)
-
-
-def test_so_it_is_with_one_function():
-    check_rates(hb_c1, arrays_for(MOTIONS["stick-slip"]), 3)
+    """Of cells of all kinds; those of scenes, and with one function, are in `test_rows`."""
+    arrays = made(*CELLS[cell])
+    z = unknowns(hb, arrays, 3)
+    J = jacobian(hb, arrays, z)
+    expected = np.transpose(differences(lambda z: residual(hb, arrays, z), z, step=2.0**-7))
+    size = np.abs(J).max(axis=1, keepdims=True)
+    np.testing.assert_allclose(J / size, expected / size, atol=1e-8)
 
 
 def arrays_for(scene, functions=0):

@@ -2,6 +2,9 @@
 
 import numpy as np
 
+#: Of differences of order 8.
+WEIGHTS = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
+
 
 def times_of(kernel, z):
     """Return the durations and, where something forces, the phase of the forcing."""
@@ -18,6 +21,15 @@ def jacobian(kernel, case, z):
     J = np.full((len(z), len(z)), np.nan)
     kernel.jacobian(case, z, J)
     return J
+
+
+def differences(function, at, step):
+    """Return the derivatives of an array by each entry of another: differences of order 8."""
+    found = []
+    for change in step * np.eye(len(at)):
+        sides = (function(at + j * change) - function(at - j * change) for j in (1, 2, 3, 4))
+        found.append(sum(w * side for w, side in zip(WEIGHTS, sides, strict=True)) / step)
+    return found
 
 
 def with_coefficients(kernel, case, order, times):
