@@ -13,7 +13,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "3ed2b8f18dfc322ba486f97d7a4a0e5285a9d715305a458f48005684717ceccb"  # of the closed forms, by srepr
-BODY = "47c5e7f3b19d65eb60a02735cc182ac09daefd857fd8c94983ac9a40a0f8f1ce"  # of the text below
+BODY = "c63629c8dafd97ca5de72f91251fa864c58426eaa02d8dff8e6b0bfc7d8bb732"  # of the text below
 
 FREE = 0
 CLASS = 1
@@ -498,14 +498,10 @@ def ends(case, z, at, N, both, both_by):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    kinds, N = case[0], order_of(case, z)
-    fill_residual(case, z, places(kinds, N), N, rooms(kinds, N), R)
-
-
-def fill_residual(case, z, at, N, room, R):
-    """Fill R within given room."""
     kinds, numbers, setting, _, cell = case[:5]
-    theta, moments, found, by = room
+    N = order_of(case, z)
+    at = places(kinds, N)
+    theta, moments, found, by = rooms(kinds, N)
     at_w, at_row = at[len(kinds)], 0
     fill_angles(case, z, at, theta)
     for p in range(len(kinds)):  # the residual of each phase, less what no test sees
@@ -537,14 +533,10 @@ def fill_residual(case, z, at, N, room, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    kinds, N = case[0], order_of(case, z)
-    fill_jacobian(case, z, places(kinds, N), N, rooms(kinds, N), J)
-
-
-def fill_jacobian(case, z, at, N, room, J):
-    """Fill J within given room."""
     kinds, numbers, setting, _, cell = case[:5]
-    theta, moments, found, by = room
+    N = order_of(case, z)
+    at = places(kinds, N)
+    theta, moments, found, by = rooms(kinds, N)
     at_w, at_row = at[len(kinds)], 0
     at_s = at_w + len(setting)
     fill_angles(case, z, at, theta)

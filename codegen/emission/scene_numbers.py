@@ -11,7 +11,7 @@ from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
 from ..scene.bodies.body import Body
 from ..scene.parameters import power_of_time
-from ..scene.smoothness import classes_of
+from ..scene.smoothness import class_of, classes_of
 from ..scene.units import dimension_of
 from .scene_functions import Function, extremes, guess, of_phases, start, whole, words_of
 
@@ -44,7 +44,7 @@ def scene_source(scene: Scene) -> str:
     imports = f"from math import {', '.join(names)}\n\n" if names else ""
     forms = FORMS if scene.body is None else FORMS_OF_BODY
     forms = "" if scene.motions else forms
-    head = HEADER.format(name=scene.label, title=scene.title, k=_class(scene), forms=forms)
+    head = HEADER.format(name=scene.label, title=scene.title, k=class_of(scene), forms=forms)
     hashes = f'MATHEMATICS = "{mathematics(scene)}"  # of what fixes its motion\n'
     hashes += f'BODY = "{digest(body)}"  # of the text below\n\n'
     return f"{head}{imports}{beside}{hashes}{body}"
@@ -96,17 +96,12 @@ def _extremes(scene: Scene) -> str:
     return f"#: Where digits are easily lost, in words.\n{words}\n\n{source}\n\n"
 
 
-def _class(scene: Scene) -> int:
-    """Return the least class of any switch of any motion."""
-    return min(switch.k for motion in scene.each_motion for switch in switches(motion))
-
-
 def _data(scene: Scene) -> Iterator[str]:
     frequency = next((q.name for q in scene.parameters if q.symbol == scene.frequency), None)
     yield f"NAME = {scene.name!r}"
     yield f"TITLE = {scene.title!r}"
     yield f"SOURCE = {scene.source!r}"
-    yield f"CLASS = {_class(scene)}"
+    yield f"CLASS = {class_of(scene)}"
     yield f"HALF_PERIOD = {scene.half_period}"
     yield f"FREQUENCY = {frequency!r}  # the parameter that is the frequency of the forcing"
     yield f"MOTIONS = {tuple(scene.motions)!r}  # orders of phases, a folder each, if several"

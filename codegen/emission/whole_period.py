@@ -14,7 +14,7 @@ import sympy as sp
 from ..expansions import hb, hb_ck
 from ..galerkin import Times
 from ..galerkin.condition import cycles, phi
-from ..galerkin.harmonics import POWERS, Harmonics, a, b, j, n
+from ..galerkin.harmonics import POWERS, Harmonics, a, b, beta, j, n
 from ..galerkin.legendre import integrated, l
 from ..galerkin.terms import weights
 from ..scene.smoothness import HIGHEST
@@ -70,7 +70,7 @@ def closed_forms() -> Iterator[ClosedForm]:
     yield ClosedForm("by_time", what, (omega, sine, cosine), _by_time())
     for name, sign in (("in_the_middle", 1), ("in_the_middle_mirrored", -1)):
         middle = sp.Rational(1, 2)
-        values = tuple(hb_ck.beta(q, middle, sign) for q in range(LAST + 1))
+        values = tuple(beta(q, middle, sign) for q in range(LAST + 1))
         words = "itself" if sign == 1 else "with the opposite sign"
         what = f"Return beta_0, beta_1, ... at u = 1/2 where the motion repeats {words}."
         yield ClosedForm(name, what, (), values)

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..expansions import hb_ck
-from ..expansions.hb_ck import beta
 from ..galerkin import GalerkinConditions
+from ..galerkin.harmonics import beta
 from ..galerkin.legendre import l
 from ..scene import LinearPhase
 from ..system import Equation, Inner
@@ -87,16 +87,12 @@ class Breaks:
                 yield Equation("", title, sides, self.notation.during(q))
         if not self.orders:
             return
-        where = ""
-        if self.notation.times.sign == 1:
-            general, kind = -sp.bernoulli(_n, u) / sp.factorial(_n), "Bernoulli"
-        else:
-            general, kind = sp.euler(_n - 1, u) / (2 * sp.factorial(_n - 1)), "Euler"
-            where = "`n = 1, 2, ...`"
-        title = f"by the polynomials of {kind}"
-        yield Equation("", title, (member("beta", _n, u), general), where)
+        sign = self.notation.times.sign
+        kind, where = ("Bernoulli", "") if sign == 1 else ("Euler", "`n = 1, 2, ...`")
+        sides = (member("beta", _n, u), beta(_n, u, sign))
+        yield Equation("", f"by the polynomials of {kind}", sides, where)
         for n in sorted({n - r for _, n in self.orders for r in range(3)}):
-            sides = (member("beta", n, u), beta(n, u, self.notation.times.sign))
+            sides = (member("beta", n, u), beta(n, u, sign))
             yield Equation("", f"function of order {n}", sides)
 
     def residual(self, q: int) -> sp.Expr:

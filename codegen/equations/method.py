@@ -8,7 +8,8 @@ import sympy as sp
 
 from ..expansions import applies, in_order
 from ..galerkin import Block, GalerkinConditions, cycles
-from ..scene import Scene, switches
+from ..scene import Scene
+from ..scene.smoothness import class_of
 from ..system import Equation, GalerkinSystem
 from .family import shown
 from .forces import Forces
@@ -60,7 +61,7 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     return GalerkinSystem(
         method=spelled(conditions.method.partition(",")[0], conditions.scene),
         section=own.section,
-        title=_title(conditions, own.notation.k),
+        title=_title(conditions, class_of(conditions.scene)),
         unknowns="; ".join(f"{q}: {what}" for q, what in unknowns(conditions)).replace("`", ""),
         equations=(*own.equations(), *_times(own.notation)),
         jacobian=tuple(own.jacobian()),
@@ -84,7 +85,7 @@ def spelled(method: str, scene: Scene) -> str:
     >>> spelled("ck-tau", impact.SCENE), spelled("hb-ck", stick_slip.SCENE)
     ('c0-tau', 'hb-ck')
     """
-    name = method.replace("ck", f"c{min(switch.k for switch in switches(scene))}")
+    name = method.replace("ck", f"c{class_of(scene)}")
     others = (q for q in in_order() if q.METHOD == name != method)
     return method if any(applies(q, scene) for q in others) else name
 

@@ -48,11 +48,6 @@ class Notation:
         return numbers_of(self.scene)
 
     @property
-    def k(self) -> int:
-        """The class of the motion: the lowest of its switches."""
-        return min(switch.k for switch in self.found)
-
-    @property
     def cell(self) -> sp.Expr:
         """Where the last phase ends: the period, or half of it."""
         return self.at(len(self.found))

@@ -12,8 +12,9 @@ from ...nearest import one_of
 from ...scene_files.read import is_path, read_scene, text_of
 from .. import expansions, scenes
 from ..galerkin import GalerkinConditions
-from ..scene import Scene, in_order, switches
+from ..scene import Scene, in_order
 from ..scene.orders import IMAGE
+from ..scene.smoothness import class_of
 from ..system import GalerkinSystem, Section
 from .method import ONE_CYCLE, method_equations, spelled, unknowns
 from .of_scene import scene_equations
@@ -78,7 +79,7 @@ def sections(
 
 
 def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
-    heading = f"{found.label} (`C^{_class(found)}`): {found.title}"
+    heading = f"{found.label} (`C^{class_of(found)}`): {found.title}"
     shown = [Section(heading, scene_equations(found), _parameters(found))]
     for name in names or tuple(methods(found)):
         record = conditions(found, name, functions)
@@ -142,15 +143,11 @@ def conditions(scene: Scene, method: str, functions: int | None = None) -> Galer
         found = derive(scene)
         return found
     if functions is None:
-        functions = 2 if _class(scene) == 0 else 1
+        functions = 2 if class_of(scene) == 0 else 1
     if not isinstance(functions, int) or functions < 1:
         raise ValueError(f"functions: got {functions!r}, expected a whole number from 1")
     found = derive(scene, functions)
     return found
-
-
-def _class(scene: Scene) -> int:
-    return min(switch.k for switch in switches(scene))
 
 
 def _expansion(scene: Scene, method: str) -> ModuleType:
@@ -159,7 +156,7 @@ def _expansion(scene: Scene, method: str) -> ModuleType:
         if method in (name, spelled(name, scene)):
             return module
     names = [*dict.fromkeys(q for name in known for q in (name, spelled(name, scene)))]
-    of = f"{scene.name} is C{_class(scene)}"
+    of = f"{scene.name} is C{class_of(scene)}"
     if scene.body is not None:
         of = "of a body the contact forces are expanded, not the coordinates"
     raise ValueError(f"method: got {method!r}, expected {one_of(method, names)} ({of})")

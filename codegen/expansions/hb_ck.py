@@ -36,13 +36,6 @@ ABOUT = About(place=3, power=True, colour="#D55E00", marker="s", line=(0, (6, 2,
 FUNCTIONS = (1, 2, 3)
 
 
-def beta(n: int, u: sp.Expr, sign: int) -> sp.Expr:
-    """Return ``beta_n`` at ``u`` from 0 to 1."""
-    if sign == 1:
-        return -sp.bernoulli(n, u) / sp.factorial(n) if n else sp.Integer(-1)
-    return sp.euler(n - 1, u) / (2 * sp.factorial(n - 1)) if n else sp.Integer(0)
-
-
 @dataclass(frozen=True)
 class Expansion:
     """The pieces of the expansion for one scene."""

@@ -38,6 +38,16 @@ def equations(scene: Scene, memory: tuple[sp.Symbol, ...] = ()) -> tuple[LinearP
     )
 
 
+def beta(n: sp.Expr, u: sp.Expr, sign: int) -> sp.Expr:
+    """Return ``beta_n`` of `codegen.expansions.hb_ck` at ``u`` from 0 to 1.
+
+    With a symbol for n, which is not 0 then, the polynomial stays unevaluated.
+    """
+    if sign == 1:
+        return -sp.bernoulli(n, u) / sp.factorial(n) if n else sp.Integer(-1)
+    return sp.euler(n - 1, u) / (2 * sp.factorial(n - 1)) if n else sp.Integer(0)
+
+
 @dataclass(frozen=True)
 class Harmonics:
     """The harmonics of a motion, and integrals of them in entries of tables.

@@ -21,6 +21,17 @@ SUPERSCRIPTS = str.maketrans("0123456789+-()cijklmnsN", "⁰¹²³⁴⁵⁶⁷�
 RAISED = str.maketrans("abcdefghijklmnoprstuvwxyz", "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ")
 
 
+#: Functions of an index and an argument, by the names of their classes.
+LETTERS = {
+    "bernoulli": "B",
+    "euler": "E",
+    "legendre": "P",
+    "jn": "j",
+    "ShiftedLegendre": "P*",
+    "TwiceIntegrated": "Q",
+}
+
+
 def with_word(label: str) -> tuple[str, str]:
     """Return a name and the word of several letters below it, if it has one.
 
@@ -103,21 +114,20 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         below = f"{index}={self._print(first).s}".replace(" ", "")
         return self._operator("∑" if self._use_unicode else "Sum", last, below)
 
-    def _print_Sum(self, expr: sp.Sum) -> prettyForm:
+    def _inside(self, expr: sp.Sum | sp.Integral) -> prettyForm:
+        """Return what is summed or integrated, in brackets if it is a sum."""
         inside = self._print(expr.function)
-        if isinstance(expr.function, sp.Add):
-            inside = prettyForm(*inside.parens())
-        form = stringPict.next(self.sum_sign(expr), inside)
+        return prettyForm(*inside.parens()) if expr.function.is_Add else inside
+
+    def _print_Sum(self, expr: sp.Sum) -> prettyForm:
+        form = stringPict.next(self.sum_sign(expr), self._inside(expr))
         return prettyForm(*form, binding=prettyForm.MUL)
 
     def _print_Integral(self, expr: sp.Integral) -> prettyForm:
         ((variable, start, end),) = expr.limits
         sign = "∫" if self._use_unicode else "Int"
         head = self._operator(sign, end, str(self._print(start).s))
-        inside = self._print(expr.function)
-        if isinstance(expr.function, sp.Add):
-            inside = prettyForm(*inside.parens())
-        form = stringPict.next(head, inside, f" d{self._name(str(variable))}")
+        form = stringPict.next(head, self._inside(expr), f" d{self._name(str(variable))}")
         return prettyForm(*form, binding=prettyForm.MUL)
 
     def _print_Derivative(self, expr: sp.Derivative) -> prettyForm:
@@ -146,34 +156,22 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         first, second = map(self._print, expr.args)
         return prettyForm(*stringPict.next(left, first, ", ", second, right))
 
-    def _with_index(self, name: str, expr: sp.Expr) -> prettyForm:
+    def _with_index(self, expr: sp.Expr) -> prettyForm:
         index, argument = expr.args
-        head = self._indexed(name, (index,))
+        head = self._indexed(LETTERS[expr.func.__name__], (index,))
         return prettyForm(*stringPict.next(head, prettyForm(*self._print(argument).parens())))
 
-    def _print_bernoulli(self, expr: sp.bernoulli) -> prettyForm:
-        return self._with_index("B", expr)
-
-    def _print_euler(self, expr: sp.euler) -> prettyForm:
-        return self._with_index("E", expr)
-
-    def _print_legendre(self, expr: sp.legendre) -> prettyForm:
-        return self._with_index("P", expr)
+    _print_bernoulli = _print_euler = _print_legendre = _with_index
+    _print_ShiftedLegendre = _print_TwiceIntegrated = _with_index  # noqa: N815  (of classes)
 
     def _print_KroneckerDelta(self, expr: sp.KroneckerDelta) -> prettyForm:
         return prettyForm(self._indexed("delta", expr.args))
 
     def _print_jn(self, expr: sp.jn) -> prettyForm:
         if not expr.args[0].is_Integer:
-            return self._with_index("j", expr)
+            return self._with_index(expr)
         argument = prettyForm(*self._print(expr.args[1]).parens())
         return prettyForm(*stringPict.next(self._name(f"j{expr.args[0]}"), argument))
-
-    def _print_ShiftedLegendre(self, expr: sp.Expr) -> prettyForm:
-        return self._with_index("P*", expr)
-
-    def _print_TwiceIntegrated(self, expr: sp.Expr) -> prettyForm:
-        return self._with_index("Q", expr)
 
 
 @contextmanager

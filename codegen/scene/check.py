@@ -6,12 +6,12 @@ import sympy as sp
 
 from .bodies.check import check_body, check_contact_phase, units_of_contacts
 from .bodies.law import laws
-from .data import STATE_UNITS, Phase, SceneData, forcing, v, x
+from .data import STATE_UNITS, SceneData, forcing, v, x
 from .entries import check_entries
 from .error import SceneError, named
 from .names import COMMANDS, check_called, check_name
 from .parameters import check_extremes, check_known, check_memory, check_parameters, units_of
-from .phases import Units, check_neighbours, check_phase, check_same_units
+from .phases import Units, check_neighbours, check_phase, check_same_units, fields
 from .scales import scales
 from .smoothness import switches
 from .units import balance, dimension_of, spelled
@@ -160,8 +160,8 @@ def _check_used(scene: SceneData) -> None:
     driven += [forcing] if scene.body is not None and "forcing" in scene.body.arrays else []
     if scene.frequency is not None and not any(sp.sympify(e).has(forcing) for e in driven):
         raise SceneError("frequency: no equation and no event has forcing")
-    states = [e for phase in phases for e in _expressions(phase)]
-    used = _symbols(states)
+    used = _symbols(value for phase in phases for _, value in fields(phase))
+    used |= _symbols(phase.held for phase in phases if phase.held is not None)
     for memory in scene.memory:
         if memory.symbol not in used:
             raise SceneError(f"memory {memory.symbol}: no equation, event or demand has it")
@@ -175,12 +175,6 @@ def _check_used(scene: SceneData) -> None:
 
 def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
     return set().union(*(sp.sympify(e).free_symbols for e in expressions))
-
-
-def _expressions(phase: Phase) -> list[sp.Expr]:
-    held = [] if phase.held is None else [phase.held]
-    ends = [phase.ends.zero, *phase.ends.jump.values(), *phase.ends.demands.values()]
-    return [*laws(phase), *ends, *phase.demands.values(), *held]
 
 
 def _check_dimension(

@@ -63,14 +63,7 @@ def checked_fields(
 
     Each is linear, has forcing only where there is some, and its terms have one unit.
     """
-    fields = [
-        *(("equation", law) for law in laws(phase)),
-        ("ends", phase.ends.zero),
-        *(("jump", value) for value in phase.ends.jump.values()),
-        *((f"demand {words!r}", value) for words, value in phase.demands.items()),
-        *((f"ends: demand {words!r}", value) for words, value in phase.ends.demands.items()),
-    ]
-    for name, expression in fields:
+    for name, expression in fields(phase):
         with named(f"phase {phase.name}: {name}"):
             value = sp.sympify(expression)
             check_kind(value, memory, modulus="demand" in name)
@@ -78,6 +71,15 @@ def checked_fields(
                 raise SceneError("it has forcing, but the scene has no frequency")
             balance(sp.expand(value), units)
         yield name, value
+
+
+def fields(phase: Phase) -> Iterator[tuple[str, sp.Expr]]:
+    """Yield the expressions of a phase, but for the velocity at which it is held."""
+    yield from (("equation", law) for law in laws(phase))
+    yield "ends", phase.ends.zero
+    yield from (("jump", value) for value in phase.ends.jump.values())
+    for field, demands in (("demand", phase.demands), ("ends: demand", phase.ends.demands)):
+        yield from ((f"{field} {words!r}", value) for words, value in demands.items())
 
 
 def check_velocity(value: sp.Expr, units: Units) -> None:

@@ -66,6 +66,11 @@ def switches(scene: SceneData) -> tuple[Switch, ...]:
     return tuple(found)
 
 
+def class_of(scene: SceneData) -> int:
+    """Return the class of a motion, or of the least smooth of several: the lowest k."""
+    return min(switch.k for motion in scene.each_motion for switch in switches(motion))
+
+
 def classes_of(scene: SceneData, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[int, ...]:
     """Return the k at each switch for values of the parameters: above the general for some.
 

@@ -12,7 +12,7 @@ from galerkin.solving import differences, jacobian, residual
 from numpy.polynomial import legendre
 
 from nonsmooth.codegen.emission.whole_period import LAST
-from nonsmooth.codegen.expansions.hb_ck import beta
+from nonsmooth.codegen.galerkin.harmonics import beta
 from nonsmooth.generated import hb, hb_c1
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.compiling import rebuilt

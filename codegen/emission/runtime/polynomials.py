@@ -138,14 +138,10 @@ def ends(case, z, at, N, both, both_by):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    kinds, N = case[0], order_of(case, z)
-    fill_residual(case, z, places(kinds, N), N, rooms(kinds, N), R)
-
-
-def fill_residual(case, z, at, N, room, R):
-    """Fill R within given room."""
     kinds, numbers, setting, _, cell = case[:5]
-    theta, moments, found, by = room
+    N = order_of(case, z)
+    at = places(kinds, N)
+    theta, moments, found, by = rooms(kinds, N)
     at_w, at_row = at[len(kinds)], 0
     fill_angles(case, z, at, theta)
     for p in range(len(kinds)):  # the residual of each phase, less what no test sees
@@ -177,14 +173,10 @@ def fill_residual(case, z, at, N, room, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    kinds, N = case[0], order_of(case, z)
-    fill_jacobian(case, z, places(kinds, N), N, rooms(kinds, N), J)
-
-
-def fill_jacobian(case, z, at, N, room, J):
-    """Fill J within given room."""
     kinds, numbers, setting, _, cell = case[:5]
-    theta, moments, found, by = room
+    N = order_of(case, z)
+    at = places(kinds, N)
+    theta, moments, found, by = rooms(kinds, N)
     at_w, at_row = at[len(kinds)], 0
     at_s = at_w + len(setting)
     fill_angles(case, z, at, theta)

@@ -5,7 +5,7 @@ from functools import cache
 
 import sympy as sp
 
-from .. import force_harmonics
+from .. import force_harmonics, harmonics
 from ..condition import Table
 from .contacts import L, j, pole
 from .terms import Terms, beta, l, m, n, omega_0, rho, t, u
@@ -75,10 +75,8 @@ def _answers(own: Terms) -> Iterator[Table]:
     if not own.functions:
         return
     kappa, k = pole[j] * own.cell, sp.Symbol("k", integer=True, positive=True)
-    if own.times.sign == 1:
-        function, mean = -sp.bernoulli(k, u) / sp.factorial(k), 1 / kappa
-    else:
-        function, mean = sp.euler(k - 1, u) / (2 * sp.factorial(k - 1)), sp.Integer(0)
+    function = harmonics.beta(k, u, own.times.sign)
+    mean = 1 / kappa if own.times.sign == 1 else sp.Integer(0)
     where = "`0 <= u <= 1`"
     yield Table(beta(k, u), "function with a break at `u = 0`", (function,), where)
     words = "what pole j answers in every cell to the derivative of the first function"

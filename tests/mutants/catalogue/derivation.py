@@ -85,7 +85,7 @@ MUTANTS = (
     ),
     Mutant(
         "a break that jumps down",
-        "codegen/expansions/hb_ck.py",
+        "codegen/galerkin/harmonics.py",
         "return -sp.bernoulli(n, u)",
         "return sp.bernoulli(n, u)",
         (f"{ROWS}[S2b-hb_ck_1]",),
