@@ -109,7 +109,7 @@ def _by_time() -> tuple[sp.Expr, sp.Expr]:
     """Return the first derivatives of the harmonics in (3)."""
     harmonics = of_any_scene()
     (sum_,) = hb.series(harmonics, time, 1).atoms(sp.Sum)
-    number = harmonics.number(n) * harmonics.omega_0
+    number = harmonics.times.harmonic(n) * harmonics.omega_0
     known = {sp.sin(number * time): sine, sp.cos(number * time): cosine, number: omega}
     found = weights(sum_.function.subs(known), {a[n], b[n]})
     return found[a[n]], found[b[n]]

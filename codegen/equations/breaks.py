@@ -136,13 +136,9 @@ class Breaks:
                 for entry in expression.atoms(sp.Indexed):
                     if str(entry.base.label) == table:
                         values[entry] = self._integral(
-                            name, p, n, self._number(entry.indices[0])
+                            name, p, n, self.notation.times.harmonic(entry.indices[0])
                         )
         return expression.xreplace(values)
-
-    def _number(self, index: sp.Expr) -> sp.Expr:
-        """Return the harmonic of the index of a table."""
-        return index if self.notation.times.sign == 1 else 2 * index - 1
 
     def _integral(self, name: str, p: int, n: int, index: sp.Expr) -> sp.Expr:
         return sp.IndexedBase(f"{name}_{self._word(p)}")[n, index]

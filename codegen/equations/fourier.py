@@ -74,7 +74,7 @@ class Fourier(Family):
             yield Equation("", "time derivative", sides, row.where)
 
     def _wave(self, f: type[sp.Function], index: sp.Expr) -> sp.Expr:
-        return f(self.harmonics.number(index) * omega_0 * t)
+        return f(self.harmonics.times.harmonic(index) * omega_0 * t)
 
     def _series(self) -> sp.Expr:
         waves = a[n] * self._wave(sp.sin, n) + b[n] * self._wave(sp.cos, n)
@@ -86,7 +86,7 @@ class Fourier(Family):
     def _residual(self) -> Iterator[Equation]:
         """Yield (4) phase by phase."""
         sine, cosine = (self._wave(f, n) for f in (sp.sin, sp.cos))
-        rate = self.harmonics.number(n) * omega_0
+        rate = self.harmonics.times.harmonic(n) * omega_0
         number = self.beside.numbers["residual"]
         for p, q in enumerate(equations(self.scene)):
             spring, damping = q.k - q.m * rate**2, q.c * rate
@@ -120,7 +120,7 @@ class Fourier(Family):
         if condition.index is None:
             return condition.title
         name = "sin" if condition.name == "by_sine" else "cos"
-        number = self.harmonics.number(condition.index)
+        number = self.harmonics.times.harmonic(condition.index)
         angle = number if number.is_Symbol else f"({number})"
         return f"residual, orthogonal to `{name}({angle} omega_0 t)`".replace("*", " ")
 

@@ -35,7 +35,7 @@ def jump(found: tuple[Switch, ...], p: int) -> sp.Expr:
 
 def series(harmonics: Harmonics, time: sp.Expr, order: int) -> sp.Expr:
     """Return (3), or a derivative of it, at a time."""
-    number, w = harmonics.number(n), harmonics.omega_0
+    number, w = harmonics.times.harmonic(n), harmonics.omega_0
     turned = number * w * time + order * sp.pi / 2
     size = (number * w) ** order
     sum_ = sp.Sum(size * (a[n] * sp.sin(turned) + b[n] * sp.cos(turned)), (n, 1, N))
@@ -44,7 +44,7 @@ def series(harmonics: Harmonics, time: sp.Expr, order: int) -> sp.Expr:
 
 def orthogonality(harmonics: Harmonics, found: tuple[Switch, ...]) -> Iterator[Condition]:
     """Yield (5), (6), (7): the residual is orthogonal to the constant and to each harmonic."""
-    wave = harmonics.number(j) * angle
+    wave = harmonics.times.harmonic(j) * angle
     if not harmonics.odd:
         yield _row(harmonics, found, "by_one", sp.Integer(1), None)
     yield _row(harmonics, found, "by_sine", sp.sin(wave), j)
@@ -58,7 +58,7 @@ def _row(
     test: sp.Expr,
     index: sp.Symbol | None,
 ) -> Condition:
-    trial = harmonics.number(n) * angle
+    trial = harmonics.times.harmonic(n) * angle
     summed = a[n] * harmonics.residual_by(sp.sin(trial), test)
     summed += b[n] * harmonics.residual_by(sp.cos(trial), test)
     expression = sp.Sum(sp.expand(summed), (n, 1, N)) - harmonics.force_by(test)

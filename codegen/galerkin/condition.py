@@ -66,6 +66,10 @@ class Times:
         turns = sp.pi if self.sign == -1 else 2 * sp.pi
         return turns * cycles / self.frequency
 
+    def harmonic(self, index: sp.Expr) -> sp.Expr:
+        """Return the harmonic of an index: any, or odd where ``x(t + T/2) = -x(t)``."""
+        return index if self.sign == 1 else 2 * index - 1
+
     def angle(self, time: sp.Expr) -> sp.Expr:
         """Return the angle of the forcing at a time of the cell."""
         return sp.Integer(0) if self.frequency is None else self.frequency * time + phi

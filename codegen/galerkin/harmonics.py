@@ -85,10 +85,6 @@ class Harmonics:
         """Whether only odd harmonics are there."""
         return self.times.sign == -1
 
-    def number(self, index: sp.Expr) -> sp.Expr:
-        """Return the harmonic of an index: any, or odd where ``x(t + T/2) = -x(t)``."""
-        return 2 * index - 1 if self.odd else index
-
     def over_cell(self, name: str, product: sp.Expr) -> sp.Expr:
         """Return the integral of a weight times a product of harmonics, from its tables.
 

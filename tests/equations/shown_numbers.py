@@ -14,6 +14,7 @@ from galerkin.derived import of_conditions
 from shown_evaluation import Evaluation
 
 from nonsmooth.codegen.equations import method_equations
+from nonsmooth.codegen.equations.family import shown
 from nonsmooth.codegen.galerkin import GalerkinConditions
 from nonsmooth.codegen.galerkin.harmonics import a, b
 from nonsmooth.codegen.system import Equation
@@ -65,16 +66,13 @@ class Numbers:
         for block in self.conditions.blocks:
             count = int(sp.sympify(block.count).subs(N, self.order))
             found = drawn.uniform(-1, 1, count)
-            name, _, word = block.name.partition("_")
-            letters = name.rstrip("0123456789")
             if isinstance(block.symbol, sp.IndexedBase):
                 first = int(block.symbol in (a, b))  # harmonics are counted from 1
                 for i, value in enumerate(found, start=first):
                     self.values[f"{block.name}[{i}]"] = value
                 self.values.setdefault(f"count {block.name}", first + count)
             else:
-                self.values[block.name] = found[0]
-                self.values[f"{letters}_{word}[{name.removeprefix(letters)}]"] = found[0]
+                self.values[block.name] = self.values[str(shown(block))] = found[0]
             parts.append(found)
         names = map(str, self.conditions.times.unknown)
         self.z = np.concatenate([*parts, [self.values[name] for name in names]])

@@ -45,7 +45,7 @@ def blocks(own: Terms) -> Iterator[Block]:
 def expansion(own: Terms) -> Iterator[Table]:
     """Yield what the forces are."""
     for c, contact in enumerate(own.contacts.each):
-        wave = sp.exp(sp.I * own.number(n) * omega_0 * t)
+        wave = sp.exp(sp.I * own.times.harmonic(n) * omega_0 * t)
         total = sp.Sum(own.force(c)[n] * wave, (n, *own.limits))
         for q in own.functions:
             if q.contact == c:
@@ -64,13 +64,13 @@ def galerkin(own: Terms, c: int) -> Condition:
         by_force = (
             own.table("G", c, d, phase=p)[n] * own.force(d)[n] for d in range(own.count)
         )
-        product = sp.Add(*by_force) * mean[own.number(n) - own.number(m)]
+        product = sp.Add(*by_force) * mean[own.times.harmonic(n) - own.times.harmonic(m)]
         row -= sp.Sum(product, (n, *own.limits)) if not own.contacts.is_given(p) else 0
-        row -= own.constant(p)[c] * mean[-own.number(m)]
+        row -= own.constant(p)[c] * mean[-own.times.harmonic(m)]
         driven = own.driven(p)[c] * sp.exp(sp.I * phi) / 2
         if driven != 0:
-            row -= driven * mean[cycles - own.number(m)]
-            row -= sp.conjugate(driven) * mean[-cycles - own.number(m)]
+            row -= driven * mean[cycles - own.times.harmonic(m)]
+            row -= sp.conjugate(driven) * mean[-cycles - own.times.harmonic(m)]
         if own.has_breaks and not own.contacts.is_given(p):
             row -= own.table("B", c, phase=p)[m]
     for q in own.functions:

@@ -20,7 +20,7 @@ def _formula(name: str) -> sp.Expr:
 def tables(own: Terms) -> Iterator[Table]:
     """Yield what the conditions look up."""
     answer = _formula("answer")
-    turn = own.number(n) * omega_0
+    turn = own.times.harmonic(n) * omega_0
     for c in range(own.count):
         for d in range(own.count):
             one = answer.subs({force_harmonics.omega: turn, force_harmonics.s: pole[j]})
@@ -88,7 +88,7 @@ def _answers(own: Terms) -> Iterator[Table]:
 
 def _of_breaks(own: Terms) -> Iterator[Table]:
     """Yield what impulses and functions make of the poles, and of the rows."""
-    test = own.number(m) * omega_0
+    test = own.times.harmonic(m) * omega_0
     yield from _answers(own)
     for q in own.functions:
         closed = _formula("harmonic").subs(

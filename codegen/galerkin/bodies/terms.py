@@ -63,17 +63,13 @@ class Terms(OfForces):
         """The first and the last index of a harmonic."""
         return (-N if self.times.sign == 1 else 1 - N), N
 
-    def number(self, index: sp.Expr) -> sp.Expr:
-        """Return the harmonic of an index: any, or odd where ``x(t + T/2) = -x(t)``."""
-        return index if self.times.sign == 1 else 2 * index - 1
-
     def mirrored(self, index: sp.Expr) -> sp.Expr:
         """Return the index of the harmonic of the other sign."""
         return -index if self.times.sign == 1 else 1 - index
 
     def wave(self, index: sp.Expr, p: int) -> sp.Expr:
         """Return a harmonic where phase `p` begins."""
-        return sp.exp(sp.I * self.number(index) * omega_0 * self.times.start(p))
+        return sp.exp(sp.I * self.times.harmonic(index) * omega_0 * self.times.start(p))
 
     def force(self, c: int) -> sp.IndexedBase:
         """Return the harmonics of a force."""
@@ -92,7 +88,7 @@ class Terms(OfForces):
 
     def compliance(self, q: int, c: int, d: int) -> sp.Expr:
         """Return ``Re sum lambda_j^q psi_j z_j`` of a harmonic of a force."""
-        turn = sp.I * self.number(n) * omega_0
+        turn = sp.I * self.times.harmonic(n) * omega_0
         rest = (turn ** (q - 1 - r) * self.moment(r, c, d) for r in range(q))
         return turn**q * self.table("H", c, d)[n] - sp.Add(*rest)
 
