@@ -13,7 +13,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "3ed2b8f18dfc322ba486f97d7a4a0e5285a9d715305a458f48005684717ceccb"  # of the closed forms, by srepr
-BODY = "c63629c8dafd97ca5de72f91251fa864c58426eaa02d8dff8e6b0bfc7d8bb732"  # of the text below
+BODY = "82f2154140dcf551ae2ab9248c5c2583f0bdbb6a764838da583d1b1ff9c7da17"  # of the text below
 
 FREE = 0
 CLASS = 1
@@ -199,48 +199,6 @@ def legendre_moments(kappa, theta, moments):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         bessel = moments[0, l]
         moments[0, l], moments[1, l] = bessel * value, bessel * ahead
-
-
-def rising(x, k):
-    """Return ``x (x + 1) ... (x + k - 1)``."""
-    found = 1.0
-    for i in range(k):
-        found = found * (x + i)
-    return found
-
-
-def integrated(d):
-    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
-    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
-    found[1:] += half
-    found[:-2] -= half[1:]
-    found[0] += half[0]
-    return found
-
-
-def phase_motion(x, v, d, s, u, derivative):
-    """Return displacement, velocity or acceleration on a phase.
-
-    Parameters
-    ----------
-    x, v : float
-        The state in which the phase begins.
-    d : ndarray
-        Coefficients of the acceleration; empty where there is none.
-    s : float
-        Duration of the phase.
-    u : ndarray
-        Local time, from 0 to 1.
-    derivative : {0, 1, 2}
-    """
-    parts = d if len(d) else np.zeros(1)
-    w = 2 * np.asarray(u) - 1
-    if derivative == 2:
-        return legendre.legval(w, parts)
-    if derivative == 1:
-        return v + s * legendre.legval(w, integrated(parts))
-    twice = legendre.legval(w, integrated(integrated(parts)))
-    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def highest(kinds, q):
@@ -570,6 +528,48 @@ def jacobian(case, z, J):
             at_row += 1
     ends(case, z, at, N, found, by)
     joint_rates(case, z, at, theta, by[0], by[1], J, at_row)
+
+
+def rising(x, k):
+    """Return ``x (x + 1) ... (x + k - 1)``."""
+    found = 1.0
+    for i in range(k):
+        found = found * (x + i)
+    return found
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
+
+
+def phase_motion(x, v, d, s, u, derivative):
+    """Return displacement, velocity or acceleration on a phase.
+
+    Parameters
+    ----------
+    x, v : float
+        The state in which the phase begins.
+    d : ndarray
+        Coefficients of the acceleration; empty where there is none.
+    s : float
+        Duration of the phase.
+    u : ndarray
+        Local time, from 0 to 1.
+    derivative : {0, 1, 2}
+    """
+    parts = d if len(d) else np.zeros(1)
+    w = 2 * np.asarray(u) - 1
+    if derivative == 2:
+        return legendre.legval(w, parts)
+    if derivative == 1:
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def motion(case, z, p, u, derivative):

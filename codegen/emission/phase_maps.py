@@ -15,7 +15,7 @@ from ..galerkin.legendre import n as degree
 from ..galerkin.polynomials import Rest
 from ..galerkin.terms import weights
 from ..scene import LinearPhase
-from .runtime import joints, moments, phases, polynomials
+from .runtime import joints, moments, polynomials
 from .text import ClosedForm, functions_of, module_text
 
 DOCUMENT = '''"""Motions that are polynomials on each phase: {methods}, for any scene.
@@ -93,6 +93,6 @@ def module_source(expansion: ModuleType) -> str:
     name = expansions.kernel_name(expansion)
     served = [q.METHOD for q in expansions.in_order() if expansions.kernel_name(q) == name]
     document = DOCUMENT.format(methods=" and ".join(f"`{method}`" for method in served))
-    loops = functions_of(moments, phases, joints, polynomials)
+    loops = functions_of(moments, joints, polynomials)
     forms = list(closed_forms(expansion.rest))
     return module_text(document, joints.COLUMNS, forms, loops)

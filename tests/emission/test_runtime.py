@@ -19,7 +19,7 @@ from nonsmooth.codegen.emission.runtime.harmonics import (
     weighted_integrals,
 )
 from nonsmooth.codegen.emission.runtime.moments import legendre_moments, spherical_bessel
-from nonsmooth.codegen.emission.runtime.phases import phase_motion
+from nonsmooth.codegen.emission.runtime.polynomials import phase_motion
 
 NODES, WEIGHTS = leggauss(60)
 NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2

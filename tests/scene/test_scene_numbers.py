@@ -2,12 +2,12 @@
 
 import ast
 import hashlib
-import types
 
 import numpy as np
 import pytest
 import sympy as sp
 from every_run import tried
+from galerkin.derived import in_numbers
 from galerkin.oscillators import SCENES, parameters_of
 from small_scene import PARAMETERS, F, Omega, belt, g, k, m, r, refused, scene
 
@@ -35,9 +35,7 @@ def at_the_point(form):
 
 
 def module_of(made):
-    module = types.ModuleType("numbers")
-    exec(scene_source(made), module.__dict__)
-    return module
+    return in_numbers(made).module
 
 
 def values_of(made):
