@@ -13,8 +13,8 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.polynomial import legendre
 
-MATHEMATICS = "d77a399e2391898f2e2596c9c7046bef6447c6ec7f914af32641be83a8bc0bbe"  # of the closed forms, by srepr
-BODY = "865eb1ca5a0eaa6e0401f0523653eab488fb84a6520a35e926177cb5cf056a61"  # of the text below
+MATHEMATICS = "22d699d8a8e76ea77df26c3908e7a3bf157242147f8e85d945818a19479d5140"  # of the closed forms, by srepr
+BODY = "cf39255834ebc63ab6614049e102b1b77c4c6131e6da9910f909a2c9b9332482"  # of the text below
 
 CLASS = 1
 BESIDE = 2
@@ -22,7 +22,6 @@ M = 0
 C = 1
 K = 2
 F = 3
-G = 4
 E_X = 7
 E_COS = 9
 E_0 = 10
@@ -46,14 +45,6 @@ def alone(above, own):
         0.0,
         0.0,
         above/2 + own/2,
-    )
-
-
-def of_forcing(j, cycles, cosine, sine, C, S):
-    """Return the integrals of sine and cosine j with the forcing."""
-    return (
-        (cosine*S[cycles + j])/2 - (cosine*S[cycles - j])/2 + (sine*C[cycles + j])/2 - (sine*C[cycles - j])/2,
-        (cosine*C[cycles + j])/2 + (cosine*C[cycles - j])/2 - (sine*S[cycles + j])/2 - (sine*S[cycles - j])/2,
     )
 
 
@@ -570,29 +561,10 @@ def add_alone(whole, order, sign, motion, ends, at_s, rows):
 
 
 def add_forces(case, z, at_w, ends, period, integrals, N, rows):
-    """Add what constant force, memory and forcing make of the right side."""
-    kinds, numbers, setting, _, cell = case[:5]
-    more, at_s = len(setting), at_w + len(setting)
-    if more > 0 or not is_same(numbers, F) or numbers[0, F] != 0:
-        force = np.zeros((len(kinds), 1))
-        for p in range(len(kinds)):
-            force[p, 0] = numbers[p, F]
-            for i in range(more):
-                force[p, 0] = force[p, 0] + numbers[p, MEMORY + i] * z[at_w + i]
-        table = weighted_integrals(integrals, force[:, 0], 0, ends, period)
-        for r in range(table.shape[1]):
-            add_force(table[0, r], table[1, r], cell[0], N, rows, at_s + r if r > 0 else 0)
-    for i in range(more if rows.shape[1] > 1 else 0):
-        table = weighted_integrals(integrals, numbers[:, MEMORY + i], 0, ends, period)
-        add_force(table[0, 0], table[1, 0], cell[0], N, rows, 1 + at_w + i)
-    if cell[2] != 0:
-        cosine, sine = cos(z[len(z) - 1]), sin(z[len(z) - 1])
-        table = weighted_integrals(integrals, numbers[:, G], 0, ends, period)
-        for r in range(table.shape[1]):
-            column = at_s + r if r > 0 else 0
-            add_forcing(table[0, r], table[1, r], cosine, sine, cell, N, rows, column)
-        if rows.shape[1] > 1:
-            add_forcing(table[0, 0], table[1, 0], -sine, cosine, cell, N, rows, len(z))
+    """Take the integrals of the force, which is constant, with harmonics from their rows."""
+    force = weighted_integrals(integrals, case[1][:, F], 0, ends, period)
+    for r in range(force.shape[1]):
+        add_force(force[0, r], force[1, r], 1.0, N, rows, at_w + r if r > 0 else 0)
 
 
 def add_force(C, S, sign, N, rows, column):
@@ -600,15 +572,6 @@ def add_force(C, S, sign, N, rows, column):
     for i in range(N if odd(sign) else N + 1):
         rows[i, column] -= S[number(sign, i)]
         rows[cosine_place(sign, N, i), column] -= C[number(sign, i)]
-
-
-def add_forcing(C, S, cosine, sine, cell, N, rows, column):
-    """Take those of the forcing from them, with its cosine and sine at the first switch."""
-    sign, cycles = cell[0], cycles_of(cell)
-    for i in range(N if odd(sign) else N + 1):
-        by_sine, by_cosine = of_forcing(number(sign, i), cycles, cosine, sine, C, S)
-        rows[i, column] -= by_sine
-        rows[cosine_place(sign, N, i), column] -= by_cosine
 
 
 def add_impulses(case, z, at, ends, at_ends, N, rows):

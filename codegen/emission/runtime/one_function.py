@@ -10,8 +10,10 @@ from math import pi
 import numpy as np
 
 from .fourier import cosine_place
+from .harmonics import weighted_integrals
 from .joints import F, K, M
 from .moments import legendre_moments
+from .orthogonality import add_force
 
 #: Closed forms, which the generator writes.
 on_phases = None  # T**2 G'', T G', G on both phases, as Legendre series one behind another
@@ -148,6 +150,13 @@ def beside_series(z, ends, series, N, width):
 def own(kinds, p):
     """Return how many unknowns, and conditions, the switch that begins phase p has."""
     return 1 if p == 0 else 0
+
+
+def add_forces(case, z, at_w, ends, period, integrals, N, rows):
+    """Take the integrals of the force, which is constant, with harmonics from their rows."""
+    force = weighted_integrals(integrals, case[1][:, F], 0, ends, period)
+    for r in range(force.shape[1]):
+        add_force(force[0, r], force[1, r], 1.0, N, rows, at_w + r if r > 0 else 0)
 
 
 def add_beside(case, z, at, ends, motion, at_ends, series, rows):
