@@ -21,7 +21,6 @@ SCHEMA = 2
 
 def document(orbit: "Orbit") -> dict[str, Any]:
     """Return an orbit as a document of JSON: numbers, text, lists; None for what is unknown."""
-    exact, errors = orbit.exact, orbit.errors
     content = {
         **_head(orbit.case, orbit.method, orbit.order, orbit.functions),
         "converged": orbit.converged,
@@ -43,9 +42,9 @@ def document(orbit: "Orbit") -> dict[str, Any]:
         "coefficients": orbit.coefficients,
         "admissible": orbit.admissible,
         "violations": list(orbit.violations),
-        "exact": _of_exact(exact),
-        "errors": asdict(errors) if errors else without_errors(),
-        "estimate": asdict(orbit.estimate),
+        "exact": _of_exact(orbit.exact),
+        "errors": errors_of(orbit.errors),
+        "estimate": errors_of(orbit.estimate),
         **stability.document(orbit),
         "others": [_of_other(other) for other in orbit.others],
         "outcome": vars(orbit.outcome) | {"unknowns": orbit.unknowns.tolist()},
@@ -76,8 +75,8 @@ def document_without_orbit(
         "admissible": False,
         "violations": [finding.in_full],
         "exact": _of_exact(exact),
-        "errors": without_errors(),
-        "estimate": without_errors(),
+        "errors": errors_of(None),
+        "estimate": errors_of(None),
         **stability.without_multipliers(),
         "others": [],
         "outcome": None,
@@ -110,9 +109,9 @@ def _phases(case: "Case") -> "tuple[Phase, ...]":
     return () if case.scene.motions else case.cell.phases * case.cell.cells
 
 
-def without_errors() -> dict[str, None]:
-    """Return the errors of an orbit that is not there."""
-    return dict.fromkeys(field.name for field in fields(Errors))
+def errors_of(errors: Errors | None) -> dict[str, float | None]:
+    """Return errors by their names; None for each of an orbit that is not there."""
+    return asdict(errors) if errors else dict.fromkeys(q.name for q in fields(Errors))
 
 
 def _of_exact(exact: "ExactOrbit | None") -> dict[str, Any]:

@@ -11,8 +11,8 @@ from ..in_order import motion_of
 from ..orbit.errors import Errors
 from ..presentation.table import Table, flat
 from ..scenes.case import Case
-from ..scenes.methods import shown
-from .document import without_errors
+from ..scenes.method_names import shown
+from .document import errors_of
 from .of_rows import OfRows
 
 
@@ -104,9 +104,8 @@ class FamilyRow:
 
     def as_dict(self) -> dict[str, Any]:
         """Return the row as JSON has it."""
-        estimate = without_errors() if self.estimate is None else asdict(self.estimate)
         ends = self.extremes or dict.fromkeys(("displacement", "velocity"))
-        found = asdict(self) | {"estimate": estimate, "extremes": ends}
+        found = asdict(self) | {"estimate": errors_of(self.estimate), "extremes": ends}
         if self.beside is None:
             del found["beside"]
         if self.multipliers is not None:

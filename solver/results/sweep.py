@@ -9,8 +9,8 @@ from ..kernels import registry
 from ..orbit.errors import Errors
 from ..presentation.table import Table, flat
 from ..scenes.case import Case
-from ..scenes.methods import shown
-from .document import without_errors
+from ..scenes.method_names import shown
+from .document import errors_of
 from .of_rows import OfRows
 
 
@@ -58,8 +58,8 @@ class SweepRow:
     def as_dict(self) -> dict[str, Any]:
         """Return the row as JSON has it."""
         found: dict[str, Any] = asdict(self) | {
-            "errors": without_errors() if self.errors is None else asdict(self.errors),
-            "estimate": without_errors() if self.estimate is None else asdict(self.estimate),
+            "errors": errors_of(self.errors),
+            "estimate": errors_of(self.estimate),
         }
         found |= found.pop("further")
         return found
