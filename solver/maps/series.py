@@ -46,8 +46,7 @@ from .band import (
     SIDE,
     add_full,
     eliminate,
-    factorise_row,
-    invert_block,
+    factorise_band,
     solve,
     solve_block,
     substitute,
@@ -138,15 +137,13 @@ def factorise_phase(case: Any, N: int, room: Matrix, marks: Any, p: int, s: floa
     """Fill in the factors of the band of a phase, and its full columns."""
     kinds, numbers, tables = case[0], case[1], case[5]
     m, c, k = numbers[p, M], numbers[p, C], numbers[p, K]
-    rows, left, wide = tests(kinds, p, N), kinds[p, BESIDE], False
-    for l in range(rows - 1, -1, -1):
+    rows, left = tests(kinds, p, N), kinds[p, BESIDE]
+    for l in range(rows):
         factors, at_row = row(l, m, c, k, s), PAD + l
         room[at_row, 0], room[at_row, 1] = 0.0, 0.0
         for i in range(5):
             room[at_row, SIDE + i] = factors[2 + i]
-        if l + BLOCK < rows:
-            wide = factorise_row(room, marks, at_row + BLOCK, wide)
-    invert_block(room)
+    wide = factorise_band(room, marks, rows)
     marks[WIDE] = wide
     if left > 0:  # row R, above the tests, sees d_(R - 2) and d_(R - 1); the next d_(R - 1)
         first = row(rows, m, c, k, s)

@@ -318,24 +318,6 @@ def begin(case: Any, z: Vector, N: int, whole: Vector, marks: Any) -> tuple[int,
     return first, unknown
 
 
-def at_once(
-    case: Any, z: Vector, N: int, limit: int, rooms: Any, lines: Matrix, marks: Any, n: int
-) -> tuple[int, int, float, float]:
-    """Solve for `n` unknowns together: `all_at_once` within room that is made here."""
-    count, size = len(case[0]), extent(case, N)[0]
-    place = (
-        case,
-        marks[count],
-        N,
-        workplace(case, N, rooms, marks),
-        lines[0, :size],
-        np.zeros((size, size)),
-        marks[count + 1],
-        marks[count + 2],
-    )
-    return all_at_once(place, z, limit, np.empty((n, n)), marks[count + 3], lines[1:])
-
-
 def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
     """Solve ``residual(case, z) = 0`` from the times in `z`, which is overwritten.
 
@@ -348,4 +330,7 @@ def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float,
     first, n = begin(case, z, N, lines[0, :size], marks[count:])
     if first >= 0:
         return one_by_one(case, z, N, limit, rooms, lines, marks, first)
-    return at_once(case, z, N, limit, rooms, lines, marks, n)
+    at, known, used = marks[count], marks[count + 1], marks[count + 2]
+    work, left = workplace(case, N, rooms, marks), np.zeros((size, size))
+    place = (case, at, N, work, lines[0, :size], left, known, used)
+    return all_at_once(place, z, limit, np.empty((n, n)), marks[count + 3], lines[1:])
