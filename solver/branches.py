@@ -180,8 +180,9 @@ def every_branch(
     bounds = _bounds(case, parameter, first, last)
     branches: list[Branch] = []
     try:
-        for branch in _each_branch(case, parameter, bounds, seen, how):
-            branches.append(branch)
+        for both in every_way(case, parameter, bounds, VALUES, DOUBLED, seen):
+            own = case if both.course is None else both.course.case(case)
+            branches.append(_result(own, parameter, both, how))
     except KeyboardInterrupt:
         if not branches:
             raise
@@ -189,15 +190,6 @@ def every_branch(
     if not branches:
         _start(case, parameter, bounds)
     return branches
-
-
-def _each_branch(
-    case: Case, parameter: str, bounds: Bounds, seen: Seen, how: Expansion
-) -> Iterator[Branch]:
-    """Yield the branches of all orbits that are found, then those at their flips."""
-    for both in every_way(case, parameter, bounds, VALUES, DOUBLED, seen):
-        own = case if both.course is None else both.course.case(case)
-        yield _result(own, parameter, both, how)
 
 
 def every_way(

@@ -123,14 +123,15 @@ def go(
     back = piece.place(place.y, -place.direction)
     for way, first in ((found.back, back), (found.forth, place)):
         there: tuple[Piece, Place] | None = (piece, first)
-        segment = Segment(piece.course)
+        end: Found | None = None
         while there is not None and len(way.segments) < MOST_SEGMENTS:
-            segment = begun(segment.end, there, part)
+            segment = begun(end, there, part)
             way.segments.append(segment)
             follow(segment, (piece, first), part, seen)
             cut_where_violated(segment)
             way.why = segment.why
-            there = None if segment.end is None else beyond(segment.end)
+            end = segment.end
+            there = None if end is None else beyond(end)
             if there is not None and len(there[0].course.order.steps) > there[0].course.most:
                 way.why = f"beyond, an orbit has more than {there[0].course.most} phases"
                 there = None
@@ -160,11 +161,11 @@ def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segme
     on the way back to the event.
     """
     piece, place = there
-    segment = Segment(piece.course, [there])
+    segment = Segment([there])
     if since is None:
         return segment
     first = piece, piece.place(place.y, -place.direction)
-    back = Segment(piece.course, [first])
+    back = Segment([first])
     follow(back, first, part, most=FEW)
     near = SAME * (piece.bounds[1] - piece.bounds[0])
     if back.end is not None and abs(back.end.value - since.value) <= near:

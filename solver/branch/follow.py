@@ -39,8 +39,7 @@ MOST = 1e8
 class Segment:
     """Orbits of one order of phases along a branch, in turn, and what happens there."""
 
-    course: Course
-    points: list[tuple[Piece, Place]] = field(default_factory=list)
+    points: list[tuple[Piece, Place]]
     events: list[Found] = field(default_factory=list)
     why: str = ""
 

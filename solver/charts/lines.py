@@ -80,7 +80,7 @@ def _stretches(value: float, both: Both, across: int) -> Iterator[Stretch]:
             piece, place = points[len(points) // 2]
             middle = piece.case.with_value(piece.name, piece.value(place.y))
             found = [_point(value, piece, place, across) for piece, place in points]
-            yield Stretch(segment.course, middle, np.array(found))
+            yield Stretch(piece.course, middle, np.array(found))
 
 
 def _happenings(value: float, both: Both, across: int) -> Iterator[Happening]:
