@@ -284,15 +284,6 @@ def test_an_expansion_is_solved_beside_each_orbit(beside: ns.Branch) -> None:
         assert np.abs(off).max() <= row.beside.errors.times * row.period + rounding
 
 
-@pytest.mark.parametrize("suffix", [".json", ".nc"])
-def test_a_branch_with_an_expansion_is_saved(
-    beside: ns.Branch, tmp_path: Path, suffix: str
-) -> None:
-    pytest.importorskip("xarray")
-    ns.save(beside, tmp_path / f"branch{suffix}")
-    assert ns.load(tmp_path / f"branch{suffix}") == beside
-
-
 def test_the_command_solves_an_expansion_beside(run, tmp_path: Path) -> None:
     path, vary = tmp_path / "branch.csv", ("--vary", "frequency=0.9:1")
     status, out, _ = run("branch", *FLAGS, *vary, "--order", 8, "--json", "-o", path)
@@ -317,11 +308,13 @@ def test_expansions_that_cannot_be_beside(how, words: str) -> None:
         ns.branch(SPRING, "frequency", 0.8, 1.0, **how)
 
 
+@pytest.mark.parametrize("name", ["found", "beside"])  # alone, and with an expansion
 @pytest.mark.parametrize("suffix", [".json", ".nc"])
-def test_a_branch_is_saved_and_loaded(found: ns.Branch, tmp_path: Path, suffix: str) -> None:
+def test_a_branch_is_saved_and_loaded(request, tmp_path: Path, name: str, suffix: str) -> None:
     pytest.importorskip("xarray")
-    ns.save(found, tmp_path / f"branch{suffix}")
-    assert ns.load(tmp_path / f"branch{suffix}") == found
+    branch, path = request.getfixturevalue(name), tmp_path / f"branch{suffix}"
+    ns.save(branch, path)
+    assert ns.load(path) == branch
 
 
 def test_the_command_writes_what_python_has(found: ns.Branch, run, tmp_path: Path) -> None:

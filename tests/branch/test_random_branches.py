@@ -48,21 +48,17 @@ def found_again(case, branch, row):
     return exact_orbit(here, times, row.forcing_phase or 0.0)
 
 
-@pytest.mark.parametrize(
-    "seed", [1, *(pytest.param(seed, marks=pytest.mark.long) for seed in range(2, 40))]
-)
-def test_every_orbit_of_a_random_branch_is_one(seed: int) -> None:
-    assert_orbits_are_found_again(np.random.default_rng(seed), NAMES, BRANCHES)
+def seeds(names, most: int, count: int):
+    """Return parameters of a test: what is drawn from, how many branches, seeds."""
+    first, *others = ((names, most, seed) for seed in range(1, count))
+    return [first, *(pytest.param(*other, marks=pytest.mark.long) for other in others)]
 
 
 @pytest.mark.parametrize(
-    "seed", [1, *(pytest.param(seed, marks=pytest.mark.long) for seed in range(2, 20))]
+    ("names", "most", "seed"), [*seeds(NAMES, BRANCHES, 40), *seeds(BODIES, 1, 20)]
 )
-def test_every_orbit_of_a_random_branch_of_a_body_is_one(seed: int) -> None:
-    assert_orbits_are_found_again(np.random.default_rng(seed), BODIES, 1)
-
-
-def assert_orbits_are_found_again(random, names, most: int) -> None:
+def test_every_orbit_of_a_random_branch_is_one(names, most: int, seed: int) -> None:
+    random = np.random.default_rng(seed)
     count = 0
     while count < most:
         case, parameter, low, high = drawn(random, names)
