@@ -24,7 +24,7 @@ def exact(generator: np.ndarray, t: float) -> np.ndarray:
 
 
 def own_basis(generator: np.ndarray, n: int) -> tuple[np.ndarray, ...]:
-    """Return poles, basis and inverse as `exponential.by_poles` takes them."""
+    """Return poles, basis and inverse of a phase, as `arrays.Known` has them."""
     scales = np.append(np.diag(generator[: n // 2, n // 2 : n]), np.ones(n - n // 2))
     poles, vectors = np.linalg.eig(generator[:n, :n])
     kept, inverse = poles.imag >= 0, np.linalg.inv(vectors) * scales
@@ -57,8 +57,10 @@ def test_states_grow_as_exact_exponentials(omega: float, damping: float) -> None
     for t in (1e-9, 1e-3, 0.1, 1.0, 7.0):
         wanted = exact(generator, t)
         size = np.abs(wanted).max()
-        given = generator, *own_basis(generator, n), t, np.eye(n + 4)
-        assert exponential.by_poles(*given) == pytest.approx(wanted, abs=3e-14 * size)
+        known = tuple(q[None] for q in own_basis(generator, n))
+        way = ways.way_of((None, generator[None], *[None] * 5, known), 0)
+        found = way[4] @ ways.added(way, t, way[5])
+        assert found == pytest.approx(wanted, abs=3e-14 * size)
         assert exponential.less_one(generator, t) == pytest.approx(wanted, abs=3e-13 * size)
 
 
@@ -113,9 +115,9 @@ def test_a_basis_stands_for_all_values_where_no_rate_depends_on_them() -> None:
     for p in range(len(here.phases)):
         states = np.eye(bare[1].shape[1])
         wanted = exact(bare[1][p], 2.0)
-        found = exponential.gained(basis, p, 2.0, states)
+        found = ways.gained(basis, p, 2.0, states)
         assert found == pytest.approx(wanted, abs=1e-13 * np.abs(wanted).max())
-        assert exponential.gained(bare, p, 2.0, states) == pytest.approx(
+        assert ways.gained(bare, p, 2.0, states) == pytest.approx(
             wanted, abs=1e-12 * np.abs(wanted).max()
         )
 

@@ -22,7 +22,8 @@ from ...arrays import Complex, Matrix, Vector
 from ...stability.cell_map import lasting
 from ..extended import A_MOMENT, AN_INSTANT, DIFFERENCE, series_at
 from ..walk import outside
-from .exponential import gained, less_two, norm
+from .exponential import less_two, norm
+from .ways import gained
 
 
 def case_at(along: Any, q: float) -> Any:

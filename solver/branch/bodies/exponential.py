@@ -1,14 +1,13 @@
-"""What a phase of a body adds to states in a time, ``(exp(G t) - 1) Y``, over arrays.
+"""What linear rates add to states in a time, ``(exp(G t) - 1) Y``, over arrays.
 
-By the eigenbasis of the phase, where it is known.  Else, and in a time in which little
-happens, by a Taylor series of the matrix, doubled.  In the eigenbasis each pole s answers to
-what there is at first, to the waves of the forcing and to what stays as it is: `answer`.
+By poles, along which each goes its own way: each pole s answers to what there is at first, to
+the waves of the forcing and to what stays as it is, see `answer`.  Or by a Taylor series of the
+matrix, doubled.
 
 Plain Python, or compiled by numba.
 """
 
 from math import ceil, log2
-from typing import Any
 
 import numpy as np
 
@@ -22,46 +21,6 @@ INVERSE_FACTORIALS = tuple(1 / float(np.prod(np.arange(1.0, k + 1))) for k in ra
 
 #: A change over half a time that changes no digit.
 TINY = 1e-9
-
-
-def gained(case: Any, p: int, t: float, Y: Matrix) -> Matrix:
-    """Return what a phase adds to states, columns of shape (W, k), in a time.
-
-    case
-        See `equations.case_at`.
-    """
-    poles, basis, inverse = case[7]
-    if len(poles) > 0 and np.abs(poles[p]).max() * abs(t) > SHORT:
-        return by_poles(case[1][p], poles[p], basis[p], inverse[p], t, Y)
-    return less_one(case[1][p], t) @ Y
-
-
-def by_poles(
-    generator: Matrix, poles: Complex, basis: Matrix, inverse: Matrix, t: float, Y: Matrix
-) -> Matrix:
-    """Return it in the eigenbasis of a phase.
-
-    Parameters
-    ----------
-    generator : ndarray, shape (W, W)
-        G, by the states, then what stays as it is, the cosine, the sine and 1.  The states are
-        places, each times a scale that may vary, and velocities.
-    poles : ndarray of complex, shape (m,)
-        One of each pair.
-    basis : ndarray, shape (n, 2 m)
-        The real parts of their vectors, and less the imaginary ones.
-    inverse : ndarray, shape (2 m, n)
-        The real parts of the forms that are the parts along them, and the imaginary ones.
-    """
-    width, n, m = len(Y), len(basis), len(poles)
-    omega, scales = generator[width - 2, width - 3], scales_of(generator, n)
-    y = np.empty((2 * m + width - n, Y.shape[1]))
-    y[: 2 * m], y[2 * m :] = inverse @ (Y[:n] / scales), Y[n:]
-    drives = drives_of(generator, inverse, n)
-    own = by_basis(poles, drives, omega, answers(poles, omega, t), t, y)
-    found = np.empty(Y.shape)
-    found[:n], found[n:] = scales * (basis @ own[: 2 * m].copy()), own[2 * m :]
-    return found
 
 
 def scales_of(generator: Matrix, n: int) -> Matrix:

@@ -15,7 +15,16 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Matrix, Vector
-from .exponential import answers, by_basis, doubled, drives_of, less_one, norm, scales_of
+from .exponential import (
+    SHORT,
+    answers,
+    by_basis,
+    doubled,
+    drives_of,
+    less_one,
+    norm,
+    scales_of,
+)
 
 #: Parts of a phase for 1 of the size of its generator, at least and at most.
 CLOSE, FEWEST, MOST = 2.0, 32, 1024
@@ -42,14 +51,31 @@ def way_of(case: Any, p: int) -> Any:
     return generator, poles[p].copy(), drives, omega, forth, back
 
 
-def ahead(way: Any, t: float, y: Vector) -> Vector:
-    """Return the coordinates after a time."""
+def gained(case: Any, p: int, t: float, Y: Matrix) -> Matrix:
+    """Return what a phase adds to states, columns of shape (W, k), in a time.
+
+    By its eigenbasis, where that is known and more than a little happens.
+    """
+    poles = case[7][0]
+    if len(poles) > 0 and np.abs(poles[p]).max() * abs(t) > SHORT:
+        way = way_of(case, p)
+        found: Matrix = way[4] @ added(way, t, way[5] @ Y)
+        return found
+    return less_one(case[1][p], t) @ Y
+
+
+def added(way: Any, t: float, y: Matrix) -> Matrix:
+    """Return what a time adds to coordinates, by column."""
     generator, poles, drives, omega, _, _ = way
     if len(poles) == 0:
-        found: Vector = y + less_one(generator, t) @ y
+        found: Matrix = less_one(generator, t) @ y
         return found
-    made = answers(poles, omega, t)
-    return y + by_basis(poles, drives, omega, made, t, y.reshape(-1, 1))[:, 0]
+    return by_basis(poles, drives, omega, answers(poles, omega, t), t, y)
+
+
+def ahead(way: Any, t: float, y: Vector) -> Vector:
+    """Return the coordinates after a time."""
+    return y + added(way, t, y.reshape(-1, 1))[:, 0]
 
 
 def along(way: Any, s: float, Y: Vector) -> Matrix:
