@@ -1,9 +1,8 @@
-"""The order of phases that a part of a branch has, and what is watched along it."""
+"""The equations of an order of phases along a branch, and what is watched there."""
 
 from collections.abc import Iterable, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from dataclasses import replace
 from itertools import chain
 from typing import Any, ClassVar, NamedTuple
 
@@ -19,18 +18,14 @@ from ..kernels.family import Family
 from ..kernels.kernel import pays
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
 from ..scenes.case import Case
-from ..scenes.cell import Cell, Form
-from ..scenes.dimensionless import Units
-from ..scenes.loaded import LoadedScene
+from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
-from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
 from ..scenes.parameter_error import ParameterError
-from ..simulation.machine import Machine
-from ..simulation.machines import machine_of
 from ..simulation.nodes import Node, walls
 from ..simulation.steps.column import NONE
 from . import walk, watch
 from .along import Along, Content, Interval, entries, framed, resolved
+from .itinerary import Itinerary
 from .walk import FAMILY
 from .watch import AT_SWITCH, BEHIND, WITHIN
 
@@ -60,92 +55,14 @@ class Row(NamedTuple):
     node: int = -1
 
 
-@dataclass(frozen=True)
-class Course:
-    """An order of phases of a scene; or the motion of one phase that nothing ends.
-
-    Parameters
-    ----------
-    base : LoadedScene
-        Of one motion, of which the phases are.
-    order : Order
-    cycles : int
-        Periods of the forcing in a period.
-    endless : bool
-        Whether its one phase never ends: its cell is cut where the velocity is zero.
-    units : Units, optional
-        Of the numbers that it is asked with.
-    """
+class Course(Itinerary):
+    """An order of phases as branches follow it: its equations, and what is watched."""
 
     #: Most phases of an order that is followed: near chatter there are ever more.
     most: ClassVar[int] = 40
 
     #: How the functions of a branch are made.
     family: ClassVar[Family] = FAMILY
-
-    base: LoadedScene
-    order: Order
-    cycles: int = 1
-    endless: bool = False
-    units: Units | None = field(default=None, compare=False)
-
-    @cached_property
-    def _scene(self) -> OrderedScene:
-        return in_order(self.base, self.order)
-
-    @cached_property
-    def declared(self) -> LoadedScene | None:
-        """The scene of one motion that declares this order, if one does."""
-        own, half = [self.name(step) for step in self.order.steps], self.order.half_period
-        every = () if self.endless else self.base.whole.each_motion
-        same = (q for q in every if [*q.phases] == own and q.half_period == half)
-        return next(same, None)
-
-    @property
-    def motion(self) -> str | None:
-        """What users call it: as the scene does, or its phases in order; see `orders`."""
-        if self.endless:
-            return self.name(self.order.steps[0])
-        if self.declared is not None:
-            return self.declared.motion
-        return self._scene.motion
-
-    @cached_property
-    def called(self) -> str:
-        """What a map calls it: the same, from whichever of its phases an order begins."""
-        if self.endless:
-            return f"only {self.motion}"
-        if self.declared is not None:
-            return self.motion or self._scene.motion
-        steps, half, turns = self.order.steps, self.order.half_period, []
-        cell = self.base.cell(self._numbers)
-        for _ in range(len(steps) * (2 if half else 1)):
-            first, *rest = steps
-            steps = (*rest, (image(cell, first) or first) if half else first)
-            name = in_order(self.base, Order(steps, half)).motion
-            turns.append((sum(step.mirrored for step in steps), name))
-        return min(turns)[1]
-
-    def name(self, step: Step) -> str:
-        """Return the name of a phase, with a minus if it is mirrored."""
-        return f"{'-' * step.mirrored}{self.base.phases[step.phase]}"
-
-    def case(self, case: Case) -> Case:
-        """Return a case of the same parameters whose motion has this order."""
-        scene = self.declared or self._scene
-        is_own = scene == case.scene and case.cycles == self.cycles
-        return case if is_own else Case(scene, case.values, self.cycles)
-
-    def declares(self, numbers: tuple[float, ...]) -> Cell:
-        """Return the cell of the phases that there are, for parameters without units."""
-        return self.base.cell(numbers, 1, self.units)
-
-    def cell(self, numbers: tuple[float, ...]) -> Cell:
-        """Return its cell for parameters without units."""
-        if not self.endless:
-            return self._scene.cell(numbers, self.cycles, self.units)
-        found = in_cell(self.declares(numbers), self.order)
-        return replace(found, phases=(found.phases[0].cut(),), cycles=self.cycles)
 
     def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
         """Return what is watched, as it is at an orbit of which nothing is special."""
@@ -178,27 +95,19 @@ class Course:
         still = held or row.kind != WITHIN or self._is_of_velocity(row)
         return "sticking" if self.can_rest and still else "grazing"
 
-    @property
-    def can_rest(self) -> bool:
-        """Whether some phase holds the velocity."""
-        return any(held for _, held in self.base.kinds)
-
     def _is_of_velocity(self, row: Row) -> bool:
         """Whether a form is of the velocity, and not of the displacement."""
         form = self._generic.phases[row.phase].demands[row.number][1]
         return form[0] == 0 != form[1]
 
-    @cached_property
-    def _generic(self) -> Cell:
-        return replace(self, units=None).cell(self._numbers)
-
-    @property
-    def _numbers(self) -> tuple[float, ...]:
-        """Parameters of which none is special."""
-        return tuple(0.4 + 0.3 * j / 7 for j in range(len(self.base.parameters)))
-
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
-        """Return the forms of rows, for parameters without units and their cell."""
+        """Return the forms of rows, for parameters without units, as `watch` takes them."""
+        return self.demanded(numbers, rows, cell)
+
+    def demanded(
+        self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell
+    ) -> list[Form]:
+        """Return the forms of rows as cells have them; see `before`."""
         declared = self.declares(numbers)
         found: list[Form] = []
         for row in rows:
@@ -206,13 +115,23 @@ class Course:
             if row.kind == BEHIND:
                 mirrored, p = divmod(row.node, len(declared.phases))
                 node = declared.carrying(p)
-                _, form = (mirror(node) if mirrored else node).demands[row.number]
-                form = (*form[:4], *[0.0] * len(cell.memory))
+                found.append(self.before(cell, mirror(node) if mirrored else node, row))
             else:
                 demands = phase.demands if row.kind == WITHIN else phase.switch_demands
-                _, form = demands[row.number]
-            found.append(form)
+                found.append(demands[row.number][1])
         return found
+
+    def before(self, cell: Cell, node: Phase, row: Row) -> Form:
+        """Return what a phase that could hold the motion behind a switch demands.
+
+        As a form of the state before the switch.
+        """
+        x, v, cos, constant = node.demands[row.number][1][:4]
+        ended = cell.phases[row.phase]
+        return (
+            *(x, v * ended.rho, cos, constant + v * ended.d),
+            *[0.0] * len(cell.memory),
+        )
 
     def along(
         self, content: Content, value: float, interval: Interval, z: Vector
@@ -283,7 +202,11 @@ class Course:
 
     def sizes(self, cell: Cell, case: Case) -> Vector:
         """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
-        return sizes_of(cell, case)
+        units = case.units
+        states = [units.of_motion(j) for _ in cell.phases for j in (0, 1)]
+        memory = [units.of_motion(q.power) for q in cell.memory]
+        times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
+        return np.array([*states, *memory, *times])
 
     def states(self, case: Any, y: Vector) -> list[tuple[float, ...]]:
         """Return the states in which the phases begin, at the equations of an orbit."""
@@ -307,10 +230,6 @@ class Course:
         turn = [angle] if cell.forced else []
         return np.array([*chain.from_iterable(states), *memory, *durations, *turn])
 
-    def machine(self, numbers: tuple[float, ...]) -> Machine:
-        """Return the phases that there are, and the rules by which they follow each other."""
-        return machine_of(self.declares(numbers))
-
     def orbit(self, case: Case, z: Vector) -> ExactOrbit:
         """Return where Newton's method leads from unknowns in the units of a case."""
         return of_unknowns(self.case(case), z)
@@ -319,7 +238,7 @@ class Course:
         """Return what a cell makes of perturbations, and its size: as kept with its orbit."""
         return kept[0], kept[1]
 
-    def state(self, case: Any, z: Vector, p: int, angle: float, t: float) -> tuple[float, ...]:
+    def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return the state, displacement and velocity, at a time from the beginning of a phase.
 
         Parameters
@@ -329,8 +248,6 @@ class Course:
         z : ndarray
             Their unknowns.
         p : int
-        angle : float
-            Of the forcing where the phase begins.
         t : float
         """
         m, c, k, f, g = map(float, phase_numbers(case, z, p))
@@ -338,49 +255,43 @@ class Course:
         phase = replace(
             self._generic.phases[p], m=m, c=c, k=k, f=f, g=g, speed=speed, memory=()
         )
-        x, v = float(z[2 * p]), float(z[2 * p + 1])
+        x, v, angle = map(float, (z[2 * p], z[2 * p + 1], angles(case, z, places(case))[p]))
         found = state_at(phase, x, v, angle, float(case[4][1]), t)
         return float(found[0]), float(found[1])
 
-    def moving_at(
-        self, case: Any, z: Vector, p: int, angle: float, t: float
-    ) -> tuple[float, ...]:
+    def moving_at(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return displacement and velocity there; see `state`."""
-        return self.state(case, z, p, angle, t)
+        return self.state(case, z, p, t)
+
+    def case_of(self, cell: Cell, forms: list[Form]) -> Any:
+        """Return the equations of a cell, and its forms, as `extended.case_at` does."""
+        return *arrays(cell), np.array(forms, dtype=float)
+
+    def terms(self, case: Any, z: Vector, p: int, i: int) -> Vector:
+        """Return the Taylor coefficients of form `i` where a phase begins."""
+        angle, form = angles(case, z, places(case))[p], watch.form_of(case, z, i)
+        equation, state = phase_numbers(case, z, p), (z[2 * p], z[2 * p + 1])
+        found: Vector = watch.taylor(equation, case[4][1], angle, *state, form)
+        return found
 
     def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
         """Return the table of rows that `watch` takes; `z` is an orbit that is not special."""
-        cell = self.cell(numbers)
-        forms = self.forms(numbers, rows, cell)
-        case = (*arrays(cell), np.array(forms, dtype=float))
-        theta: Vector = angles(case, z, places(case))
+        cell, count = self.cell(numbers), len(self.order.steps)
+        own = self.demanded(numbers, rows, cell)
+        case = self.case_of(cell, self.forms(numbers, rows, cell))
+        rate = max(cell.omega, 1.0 / float(z[len(z) - count - cell.forced :][:count].sum()))
         found = np.zeros((len(rows), 5), dtype=np.int64)
         for i, row in enumerate(rows):
-            p = row.phase
-            found[i] = p, row.kind, 0, 0, i
+            found[i] = row.phase, row.kind, 0, 0, i
             if row.kind == WITHIN:
-                form = watch.form_of(case, z, i)
-                equation = phase_numbers(case, z, p)
-                state = z[2 * p], z[2 * p + 1]
-                terms = watch.taylor(equation, case[4][1], theta[p], *state, form)
-                sizes = np.abs(terms[:HIGHEST])
+                sizes = np.abs(self.terms(case, z, row.phase, i)[:HIGHEST])
+                sizes /= rate ** np.arange(HIGHEST)
                 found[i, watch.BEGINS] = int(np.argmax(sizes > ROUNDING * sizes.max()))
-                found[i, watch.IS_END] = same(forms[i], cell.phases[p].event)
+                found[i, watch.IS_END] = same(own[i], cell.phases[row.phase].event)
             elif row.kind == BEHIND:
-                same_node = (
-                    j for j, q in enumerate(rows) if (q.phase, q.node) == (p, row.node)
-                )
-                found[i, watch.INTO] = next(same_node)
+                alike = ((q.phase, q.node) == (row.phase, row.node) for q in rows)
+                found[i, watch.INTO] = list(alike).index(True)
         return found
-
-
-def sizes_of(cell: Cell, case: Case) -> Vector:
-    """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
-    units = case.units
-    states = [units.of_motion(j) for _ in cell.phases for j in (0, 1)]
-    memory = [units.of_motion(q.power) for q in cell.memory]
-    times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
-    return np.array([*states, *memory, *times])
 
 
 def _may_hold(nodes: Sequence[Node], ended: Node, h: int, v: float) -> bool:

@@ -46,8 +46,7 @@ def _at_phase_zero(piece: Piece, place: Place, turn: float) -> tuple[float, floa
         t, sign = t - float(durations.sum()), -1
     begun = np.concatenate([[0.0], np.cumsum(durations)])
     p = min(int(np.searchsorted(begun, t, "right")) - 1, len(durations) - 1)
-    angle, into = turn + omega * float(begun[p]), t - float(begun[p])
-    x, v = piece.course.moving_at(case, place.y[:-1], p, angle, into)
+    x, v = piece.course.moving_at(case, place.y[:-1], p, t - float(begun[p]))
     units = piece.case.units
     return sign * x * units.length, sign * v * units.of_motion(1)
 

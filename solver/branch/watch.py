@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import FREE, JUMP, RHO, F
+from ...generated.ck import FREE, F
 from ..arrays import Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
 from ..flow.responses import by_force, by_forcing, by_start
@@ -188,10 +188,8 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
                 )
                 values[row, END] = -last[1] if table[row, IS_END] != 0 else last[0]
                 continue
-            behind = table[row, KIND] == BEHIND
-            speed = case[1][p, RHO] * v + case[1][p, JUMP] if behind else v
-            value = form[0] * x + form[1] * speed + form[2] * cos(theta[p + 1]) + form[3]
-            value = -value if behind else value
+            value = form[0] * x + form[1] * v + form[2] * cos(theta[p + 1]) + form[3]
+            value = -value if table[row, KIND] == BEHIND else value
             if isnan(values[into, END]) or value > values[into, END]:
                 values[into, END] = value
         for j in range(len(extremes)):

@@ -12,11 +12,6 @@ from ...scenes.bodies.cell import BodyCell
 from ...scenes.cell import Form
 
 
-def durations_of(cell: BodyCell, z: Vector) -> Vector:
-    """Return the durations among unknowns."""
-    return z[len(z) - len(cell.phases) - cell.forced :][: len(cell.phases)]
-
-
 def in_order(cell: BodyCell, rows: Matrix) -> Matrix:
     """Return forms of ``(y, cos, sin, 1, memory)`` as those of ``(y, memory, cos, sin, 1)``."""
     end = rows.shape[-1] - len(cell.memory)
@@ -80,7 +75,9 @@ class Known(NamedTuple):
         Of each phase, one of each pair; not numbers where a pole depends on the parameter, or
         nothing holds the body.  No rows where none is known.
     basis, inverse : ndarray, shape (P, n, 2 m), (P, 2 m, n)
-        See `exponential.by_poles`: of places and velocities without their scales.
+        Of places and velocities, without their scales: the real parts of the vectors of the
+        poles, and less the imaginary ones; the real parts of the forms that are the parts
+        along them, and the imaginary ones.
     constant : ndarray
         All entries, where the parameter has no part in them.
     varying : ndarray of int

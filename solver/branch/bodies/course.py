@@ -1,7 +1,7 @@
 """The order of phases that a part of a branch of a body has, and what is watched along it."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any, cast
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -13,20 +13,16 @@ from ...kernels import linking
 from ...kernels.family import Family
 from ...kernels.start import RoughTimes
 from ...orbit.exact_orbit import ExactOrbit, from_times
-from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ...scenes.case import Case
-from ...scenes.cell import Cell, Form
-from ...scenes.mirror import same
+from ...scenes.cell import Form
 from .. import walk
 from ..along import SMALL, Along, divided_phases, returns
-from ..course import ROUNDING, Course, Row
-from ..watch import BEGINS, BEHIND, INTO, IS_END, WITHIN
+from ..course import Course, Row
 from . import equations, exponential, factors, watched, ways
-from .arrays import arrays, begins_slowly, case_of, durations_of, in_order, known_of
+from .arrays import arrays, begins_slowly, case_of, in_order, known_of
 
-#: Derivatives of a form that are looked at where a phase begins.
-HIGHEST = 3
-
+#: A `BodyCell`: a scene of a body has no other.
+Cell: TypeAlias = Any
 
 #: What stands for functions of the same names.
 OWN = exponential, factors, equations, ways, watched
@@ -48,20 +44,12 @@ class BodyCourse(Course):
 
     family = BODIES
 
-    def body_cell(self, numbers: tuple[float, ...]) -> BodyCell:
-        """Return its cell for parameters without units."""
-        found = self.cell(numbers)
-        assert isinstance(found, BodyCell)
-        return found
-
     def entries(self, cell: Cell, forms: list[Form]) -> Vector:
         """Return the entries of its arrays."""
-        assert isinstance(cell, BodyCell)
         return np.concatenate([block.ravel() for block in arrays(cell, forms)])
 
     def blocks(self, cell: Cell, forms: list[Form]) -> Integers:
         """Return the number of the array of each entry: the largest has the rounding of all."""
-        assert isinstance(cell, BodyCell)
         known = arrays(cell, forms)
         return np.repeat(np.arange(len(known)), [block.size for block in known])
 
@@ -74,8 +62,7 @@ class BodyCourse(Course):
         weights[: memory.start] = 1 / size
         weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
         weights[before : before + count] = 1 / float(z[before : before + count].sum())
-        assert isinstance(cell, BodyCell)
-        cells, width = cast("list[BodyCell]", [cell, *others]), np.array([before + 3])
+        cells, width = [cell, *others], np.array([before + 3])
         divided = divided_phases(cell, z[before:])
         for p in range(count):
             once = divided[p] or not returns(cell, p)
@@ -96,13 +83,11 @@ class BodyCourse(Course):
 
     def unknowns(self, orbit: ExactOrbit) -> Vector:
         """Return those of an exact orbit, without units: its state, and its times."""
-        cell = orbit.case.cell
-        assert isinstance(cell, BodyCell)
+        cell: Cell = orbit.case.cell
         return np.append(evaluated(cell, orbit.times).starts[0], orbit.times)
 
     def sizes(self, cell: Cell, case: Case) -> Vector:
         """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
-        assert isinstance(cell, BodyCell)
         units, count = case.units, 2 * len(cell.body.squares)
         state = [units.of_motion(1) * units.mass**0.5] * count
         memory = [units.of_motion(each.power) for each in cell.memory]
@@ -122,7 +107,7 @@ class BodyCourse(Course):
         angle: float,
     ) -> Vector:  # fmt: skip
         """Return the unknowns of an orbit from its parts."""
-        cell = self.body_cell(numbers)
+        cell: Cell = self.cell(numbers)
         times = [*durations, *([angle] if cell.forced else [])]
         if cell.memory:
             try:
@@ -144,13 +129,11 @@ class BodyCourse(Course):
         found, size, _ = equations.cell_map(case, z, kept, 0.0)
         return found, size
 
-    def state(self, case: Any, z: Vector, p: int, angle: float, t: float) -> tuple[float, ...]:
+    def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return the state, with the memory, at a time from the beginning of a phase."""
         return tuple(map(float, equations.state_at(case, z, p, t)[:-3]))
 
-    def moving_at(
-        self, case: Any, z: Vector, p: int, angle: float, t: float
-    ) -> tuple[float, ...]:
+    def moving_at(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return displacement and velocity of the first contact there."""
         return tuple(map(float, case[4][p] @ equations.state_at(case, z, p, t)))
 
@@ -159,61 +142,33 @@ class BodyCourse(Course):
 
         Of bodies without a memory, where it does not jump.
         """
-        assert isinstance(cell, BodyCell)
         jumps = any(jump != (1.0, 0.0) for jump in cell.phases[p].jumps)
         if cell.phases[(p + 1) % len(cell.phases)].held or jumps or cell.memory:
             return None
-        return self.moving_at(case_of(cell, []), z, p, 0.0, durations_of(cell, z)[p])[1]
+        s = float(z[len(z) - len(cell.phases) - cell.forced + p])
+        return self.moving_at(case_of(cell, []), z, p, s)[1]
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, without units, for `equations.case_at`."""
-        assert isinstance(cell, BodyCell)
         seen = [parts_of(cell)[row.phase].lawful.rows for row in rows]
-        forms = zip(self._of_contacts(numbers, rows, cell), seen, strict=True)
+        forms = zip(self.demanded(numbers, rows, cell), seen, strict=True)
         return [tuple(map(float, in_order(cell, form @ own))) for form, own in forms]
 
-    def _of_contacts(
-        self, numbers: tuple[float, ...], rows: Sequence[Row], cell: BodyCell
-    ) -> list[Form]:
-        """Return the forms of rows as cells have them.
+    def before(self, cell: Cell, node: Any, row: Row) -> Form:
+        """Return what a phase that could hold the contact behind a switch demands.
 
-        Those of a phase that could hold the contact behind a switch are of what is seen before
-        it: the forces are then those of that phase's laws.
+        As a form of what is seen before the switch: the forces are then by that phase's laws.
         """
-        behind = any(row.kind == BEHIND for row in rows)
-        nodes = self.machine(numbers).nodes if behind else ()
-        found: list[Form] = []
-        for row in rows:
-            phase = cell.phases[row.phase]
-            if row.kind == BEHIND:
-                node = nodes[row.node].phase
-                assert isinstance(node, BodyPhase)
-                _, form = node.demands[row.number]
-                through = np.array([under(cell, node, each, 1) for each in np.eye(len(form))])
-                form = tuple(map(float, through @ form))
-            else:
-                demands = phase.demands if row.kind == WITHIN else phase.switch_demands
-                _, form = demands[row.number]
-            found.append(form)
-        return found
+        _, form = node.demands[row.number]
+        through = np.array([under(cell, node, each, 1) for each in np.eye(len(form))])
+        return tuple(map(float, through @ form))
 
-    def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
-        """Return the table of rows that `watch` takes; `z` is an orbit that is not special."""
-        cell = self.body_cell(numbers)
-        own, forms = self._of_contacts(numbers, rows, cell), self.forms(numbers, rows, cell)
-        case = case_of(cell, forms)
-        begin, total = equations.starts(case, z), float(durations_of(cell, z).sum())
-        found = np.zeros((len(rows), 5), dtype=np.int64)
-        for i, row in enumerate(rows):
-            found[i] = row.phase, row.kind, 0, 0, i
-            if row.kind == WITHIN:
-                terms = ways.expanded(ways.way_of(case, row.phase), case[6][i])[: HIGHEST + 1]
-                sizes = np.abs(terms @ begin[row.phase])
-                rate = max(cell.omega, 1.0 / total)
-                sizes /= rate ** np.arange(len(sizes))
-                found[i, BEGINS] = int(np.argmax(sizes > ROUNDING * sizes.max()))
-                found[i, IS_END] = same(own[i], cell.phases[row.phase].event)
-            elif row.kind == BEHIND:
-                alike = ((q.phase, q.node) == (row.phase, row.node) for q in rows)
-                found[i, INTO] = list(alike).index(True)
+    def case_of(self, cell: Cell, forms: list[Form]) -> Any:
+        """Return the equations of a cell, and its forms, as `equations.case_at` does."""
+        return case_of(cell, forms)
+
+    def terms(self, case: Any, z: Vector, p: int, i: int) -> Vector:
+        """Return the Taylor coefficients of form `i` where a phase begins."""
+        own = ways.expanded(ways.way_of(case, p), case[6][i])
+        found: Vector = own @ equations.starts(case, z)[p]
         return found

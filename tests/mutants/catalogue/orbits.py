@@ -249,7 +249,7 @@ MUTANTS = (
     ),
     Mutant(
         "a doubled orbit is judged with the cycles of the case",
-        "solver/branch/course.py",
+        "solver/branch/itinerary.py",
         "is_own = scene == case.scene and case.cycles == self.cycles",
         "is_own = scene == case.scene",
         (f"{BRANCHES}::test_an_orbit_that_loses_an_impact_keeps_its_cycles",),
@@ -301,7 +301,7 @@ MUTANTS = (
     ),
     Mutant(
         "one of many motions with a memory that nothing sets is followed",
-        "solver/branch/change.py",
+        "solver/branch/candidates.py",
         " and not held and not self.cell.memory",
         " and not held",
         (f"{ENDS}::test_no_motion_is_followed_of_which_there_is_one_for_each_memory",),
@@ -390,7 +390,7 @@ MUTANTS = (
     ),
     Mutant(
         "behind a rest that vanishes a flight goes on, though it ends by an impact",
-        "solver/branch/change.py",
+        "solver/branch/candidates.py",
         "if self._leaps(p):",
         "if False:",
         (f"{EVENTS}::test_what_happens_is_located_to_rounding",),

@@ -1,0 +1,235 @@
+"""The orders of phases that an orbit at an event may have as well.
+
+A phase is put in with no duration, or taken out: what may follow by the rules of a simulation.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from ..scenes.orders import Order, Step, image
+from ..simulation.followers import may_follow
+from .course import ROUNDING, Course
+from .locate import Found
+from .watch import END, LEAST, START, WITHIN
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A phase of an orbit.
+
+    Parameters
+    ----------
+    step : Step
+        Which.
+    state : tuple of float
+        In which it begins.
+    s : float
+        Its duration.
+    """
+
+    step: Step
+    state: tuple[float, ...]
+    s: float
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """An order of phases that an orbit at an event has as well.
+
+    Parameters
+    ----------
+    slots : tuple of Slot
+    half : bool
+        Whether they are half a period.
+    angle : float
+        Of the forcing where the first begins.
+    grows : int or None
+        The phase that has no duration there; None if no phase was put in.
+    endless : bool
+        Whether it is one phase that nothing ends.
+    """
+
+    slots: tuple[Slot, ...]
+    half: bool
+    angle: float
+    grows: int | None = None
+    endless: bool = False
+
+    def course(self, old: Course) -> Course:
+        """Return its order, by that of the branch up to the event."""
+        order = Order(tuple(slot.step for slot in self.slots), self.half)
+        return replace(old, order=order, endless=self.endless)
+
+
+class AtEvent:
+    """An orbit at an event, and the orders of phases that it may have as well."""
+
+    def __init__(self, found: Found) -> None:
+        piece, y = found.piece, found.place.y
+        numbers = piece.numbers(y)
+        self.found, self.course, self.z = found, piece.course, y[:-1]
+        self.equations = piece.equations(y)
+        self.cell, self.machine = self.course.cell(numbers), self.course.machine(numbers)
+        self.steps = [node.step for node in self.machine.nodes]
+        self.angle = float(y[-2]) if self.cell.forced else 0.0
+        self.half = self.course.order.half_period
+        states, durations = self.course.states(self.equations, y), piece.durations(y).tolist()
+        self.slots = list(map(Slot, self.course.order.steps, states, durations))
+
+    def candidates(self) -> Iterator[Candidate]:
+        """Yield orders of phases, those of fewer phases first."""
+        p, column = self.found.phase, self.found.column
+        assert p is not None
+        if column is None:
+            yield from self._without(p)
+            return
+        row = self.found.piece.rows[self.found.row]
+        within = row.kind == WITHIN
+        if within and column == LEAST:
+            yield from self._touched(p, row.number)
+        elif within and column == START:
+            yield from self._between((p - 1) % len(self.slots))
+        elif within and column == END:
+            yield from self._uncrossed(p)
+        else:
+            yield from self._between(p)
+
+    def as_declared(self, found: Candidate) -> Candidate:
+        """Return a candidate that begins where the scene's own order does, if it is one.
+
+        Else with a phase that is not mirrored, if it has one.
+        """
+        turns = [found]
+        for _ in range(0 if found.endless else len(found.slots) * (2 if found.half else 1) - 1):
+            turns.append(self._turned(turns[-1]))
+        plain = (each for each in turns if not each.slots[0].step.mirrored)
+        declared = (each for each in turns if each.course(self.course).declared is not None)
+        return next(declared, next(plain, found))
+
+    def _turned(self, found: Candidate) -> Candidate:
+        """Return a candidate that begins with its second phase."""
+        first, *rest = found.slots
+        last = self.next_cell(first, found.half)
+        angle = found.angle + self.cell.omega * first.s
+        grows = None if found.grows is None else (found.grows - 1) % len(found.slots)
+        return Candidate((*rest, last), found.half, angle, grows)
+
+    def next_cell(self, slot: Slot, half: bool | None = None) -> Slot:
+        """Return a phase of the next cell as this one has it, which may be half a period."""
+        if not (self.half if half is None else half):
+            return slot
+        other = image(self.machine.cell, slot.step)
+        assert other is not None
+        return replace(slot, step=other, state=tuple(-q for q in slot.state))
+
+    def _from(self, p: int) -> tuple[list[Slot], float]:
+        """Return the phases from one on, and the angle where it begins."""
+        before = [self.next_cell(slot) for slot in self.slots[:p]]
+        return [*self.slots[p:], *before], self._angle(p)
+
+    def _angle(self, p: int) -> float:
+        """Return the angle of the forcing where a phase begins."""
+        return self.angle + self.cell.omega * sum(slot.s for slot in self.slots[:p])
+
+    def _without(self, p: int) -> Iterator[Candidate]:
+        """Yield the order without a phase, its neighbours as one if they are the same."""
+        if len(self.slots) > 1:
+            slots, angle = self._from(p)
+            if self._leaps(p):
+                yield Candidate(tuple(slots[1:]), self.half, angle)
+            else:
+                yield from self._joined(slots[1:], angle)
+
+    def _leaps(self, p: int) -> bool:
+        """Whether the velocity jumps where a phase begins."""
+        last, given = (p - 1) % len(self.slots), (self.equations, self.z)
+        before = self.course.moving_at(*given, last, self.slots[last].s)[1]
+        before *= self.cell.sign if p == 0 else 1
+        after = self.course.moving_at(*given, p, 0.0)[1]
+        return abs(after - before) > ROUNDING * max(abs(before), 1.0)
+
+    def _uncrossed(self, p: int) -> Iterator[Candidate]:
+        """Yield the order in which a phase goes on where it ended."""
+        slots, angle = self._from((p + 1) % len(self.slots))
+        if self._alike(slots[-1].step, self.next_cell(slots[0]).step):
+            yield from self._joined(slots, angle)
+
+    def _joined(self, slots: list[Slot], angle: float) -> Iterator[Candidate]:
+        """Yield phases whose last and first meet where nothing may change.
+
+        What would rest for ever is no motion to follow, and of what nothing sets a memory anew
+        there is one for each value of that.
+        """
+        last, first = slots[-1], self.next_cell(slots[0])
+        if not self._alike(last.step, first.step):
+            yield Candidate(tuple(slots), self.half, angle)
+        elif len(slots) > 1:
+            joined = Slot(first.step, last.state, last.s + first.s)
+            angle += self.cell.omega * slots[0].s
+            yield Candidate((*slots[1:-1], joined), self.half, angle)
+        elif self._goes_on(last.step):
+            whole = Slot(last.step, slots[0].state, last.s * (2 if self.half else 1))
+            yield Candidate((whole,), False, angle, endless=True)
+
+    def _goes_on(self, step: Step) -> bool:
+        """Whether a phase that nothing ends is one motion."""
+        held = self.course.base.kinds[step.phase][1]
+        return self.cell.forced and not held and not self.cell.memory
+
+    def _between(self, p: int) -> Iterator[Candidate]:
+        """Yield orders with one phase more behind another."""
+        before, after = (*self.slots, self.next_cell(self.slots[0]))[p : p + 2]
+        for step in self.steps:
+            if self._may(before.step, step) and self._may(step, after.step):
+                new = Slot(step, after.state, 0.0)
+                slots = (*self.slots[: p + 1], new, *self.slots[p + 1 :])
+                yield Candidate(slots, self.half, self.angle, p + 1)
+
+    def _touched(self, p: int, demand: int) -> Iterator[Candidate]:
+        """Yield orders in which a phase ends where a demand is just met inside it."""
+        piece, slot = self.found.piece, self.slots[p]
+        ended = self._ended_by(slot.step, demand)
+        if ended is None:
+            return
+        given = self.equations, piece.table, self.z, self.found.row
+        when = float(piece.functions["when_least"](*given))
+        state = self.course.state(self.equations, self.z, p, when)
+        for step in (None, *self.steps):
+            if step is None:
+                jumps = self.machine.node(ended).changes_velocity
+                follows = jumps and self._may(ended, slot.step)
+            else:
+                follows = self._may(ended, step) and self._may(step, slot.step)
+            if not follows:
+                continue
+            new = [] if step is None else [Slot(step, state, 0.0)]
+            if self.course.endless:
+                angle = self._angle(p) + self.cell.omega * when
+                yield from self._cut(new, Slot(ended, state, slot.s), angle)
+                continue
+            first = replace(slot, step=ended, s=when)
+            last = Slot(slot.step, state, slot.s - when)
+            slots = (*self.slots[:p], first, *new, last, *self.slots[p + 1 :])
+            yield Candidate(slots, self.half, self.angle, p + 1 if new else None)
+
+    def _ended_by(self, step: Step, demand: int) -> Step | None:
+        """Return the phase of the same equation that ends where a demand is just met."""
+        surface = self.machine.node(step).demands[demand]
+        return self.machine.ending(self.machine.number(step), surface)
+
+    def _cut(self, new: list[Slot], rest: Slot, angle: float) -> Iterator[Candidate]:
+        """Yield what an endless motion is with a phase where it touches a surface."""
+        grows = 0 if new else None
+        for step in self.steps:
+            other = image(self.machine.cell, new[0].step if new else step)
+            if self._alike(step, rest.step) and other is not None and self._may(step, other):
+                half = Slot(step, rest.state, rest.s / 2)
+                yield Candidate((*new, half), True, angle, grows)
+        yield Candidate((*new, rest), False, angle, grows)
+
+    def _alike(self, one: Step, other: Step) -> bool:
+        """Whether two phases have the same equation."""
+        return self.machine.node(one).equation == self.machine.node(other).equation
+
+    def _may(self, one: Step, other: Step) -> bool:
+        return may_follow(self.machine, one, other)

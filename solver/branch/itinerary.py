@@ -1,0 +1,111 @@
+"""An order of phases of a scene: its names, its cells, and what it is a case of."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from ..scenes.case import Case
+from ..scenes.cell import Cell
+from ..scenes.dimensionless import Units
+from ..scenes.loaded import LoadedScene
+from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
+from ..simulation.machines import AnyMachine, machine_of
+
+
+@dataclass(frozen=True)
+class Itinerary:
+    """An order of phases of a scene; or the motion of one phase that nothing ends.
+
+    Parameters
+    ----------
+    base : LoadedScene
+        Of one motion, of which the phases are.
+    order : Order
+    cycles : int
+        Periods of the forcing in a period.
+    endless : bool
+        Whether its one phase never ends: its cell is cut where the velocity is zero.
+    units : Units, optional
+        Of the numbers that it is asked with.
+    """
+
+    base: LoadedScene
+    order: Order
+    cycles: int = 1
+    endless: bool = False
+    units: Units | None = field(default=None, compare=False)
+
+    @cached_property
+    def _scene(self) -> OrderedScene:
+        return in_order(self.base, self.order)
+
+    @cached_property
+    def declared(self) -> LoadedScene | None:
+        """The scene of one motion that declares this order, if one does."""
+        own, half = [self.name(step) for step in self.order.steps], self.order.half_period
+        every = () if self.endless else self.base.whole.each_motion
+        same = (q for q in every if [*q.phases] == own and q.half_period == half)
+        return next(same, None)
+
+    @property
+    def motion(self) -> str | None:
+        """What users call it: as the scene does, or its phases in order; see `orders`."""
+        if self.endless:
+            return self.name(self.order.steps[0])
+        if self.declared is not None:
+            return self.declared.motion
+        return self._scene.motion
+
+    @cached_property
+    def called(self) -> str:
+        """What a map calls it: the same, from whichever of its phases an order begins."""
+        if self.endless:
+            return f"only {self.motion}"
+        if self.declared is not None:
+            return self.motion or self._scene.motion
+        steps, half, turns = self.order.steps, self.order.half_period, []
+        cell = self.base.cell(self._numbers)
+        for _ in range(len(steps) * (2 if half else 1)):
+            first, *rest = steps
+            steps = (*rest, (image(cell, first) or first) if half else first)
+            name = in_order(self.base, Order(steps, half)).motion
+            turns.append((sum(step.mirrored for step in steps), name))
+        return min(turns)[1]
+
+    def name(self, step: Step) -> str:
+        """Return the name of a phase, with a minus if it is mirrored."""
+        return f"{'-' * step.mirrored}{self.base.phases[step.phase]}"
+
+    def case(self, case: Case) -> Case:
+        """Return a case of the same parameters whose motion has this order."""
+        scene = self.declared or self._scene
+        is_own = scene == case.scene and case.cycles == self.cycles
+        return case if is_own else Case(scene, case.values, self.cycles)
+
+    def declares(self, numbers: tuple[float, ...]) -> Cell:
+        """Return the cell of the phases that there are, for parameters without units."""
+        return self.base.cell(numbers, 1, self.units)
+
+    def cell(self, numbers: tuple[float, ...]) -> Cell:
+        """Return its cell for parameters without units."""
+        if not self.endless:
+            return self._scene.cell(numbers, self.cycles, self.units)
+        found = in_cell(self.declares(numbers), self.order)
+        return replace(found, phases=(found.phases[0].cut(),), cycles=self.cycles)
+
+    @cached_property
+    def _generic(self) -> Cell:
+        return replace(self, units=None).cell(self._numbers)
+
+    @property
+    def _numbers(self) -> tuple[float, ...]:
+        """Parameters of which none is special."""
+        return tuple(0.4 + 0.3 * j / 7 for j in range(len(self.base.parameters)))
+
+    @property
+    def can_rest(self) -> bool:
+        """Whether some phase holds the velocity."""
+        return any(held for _, held in self.base.kinds)
+
+    def machine(self, numbers: tuple[float, ...]) -> AnyMachine:
+        """Return the phases that there are, and the rules by which they follow each other."""
+        return machine_of(self.declares(numbers))
