@@ -12,7 +12,7 @@ from typing import Any
 from ..arrays import Complex, Matrix, Vector
 from ..iteration import iteration, linear, single
 from ..iteration.iteration import Iteration
-from ..maps import band, series, together
+from ..maps import alone, band, one_by_one, series, series_rates, together
 from .compiling import rebuilt
 
 #: Modules of Newton's method, for several unknowns and for one.
@@ -20,7 +20,7 @@ SEVERAL, ONE = (linear, iteration), (single,)
 NEWTON = SEVERAL + ONE
 
 #: Modules of the quick way for motions that are polynomials on each phase.
-MAPS = (band, linear, series, together)
+MAPS = (band, linear, series, series_rates, alone, one_by_one, together)
 
 #: What only NumPy can do: plain Python, even where the rest is compiled.
 PLAIN = frozenset(("motion", "coefficients", "integrated", "phase_motion"))

@@ -130,7 +130,7 @@ MUTANTS = (
     ),
     Mutant(
         "the duration of a held phase that one condition gives is counted from the other end",
-        "solver/maps/together.py",
+        "solver/maps/alone.py",
         "(sign * y[at[q]] - y[at[p]])",
         "(y[at[p]] - sign * y[at[q]])",
         ("tests/existence/test_roots.py",),

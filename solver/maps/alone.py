@@ -1,0 +1,87 @@
+"""Unknowns that join the phases, and that single conditions give exactly, before the rest."""
+
+from math import pi
+from typing import Any
+
+from ...generated.ck import (
+    AFTER,
+    AT_BEGIN,
+    AT_END,
+    E_0,
+    E_COS,
+    E_X,
+    FREE,
+    JUMP,
+    MEMORY,
+    OF_V,
+    OF_X,
+    RHO,
+    highest,
+)
+from ..arrays import Vector
+
+
+def is_alone(case: Any, p: int, state: int) -> bool:
+    """Whether the event that ends a phase says displacement (0) or velocity (1) alone."""
+    numbers, more = case[1], len(case[2])
+    for i in range(more):
+        if numbers[p, MEMORY + more + i] != 0:
+            return False
+    others = numbers[p, E_X + 1 - state] != 0 or numbers[p, E_COS] != 0
+    return bool(numbers[p, E_X + state] != 0 and not others)
+
+
+def given_alone(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
+    """Fill in the unknowns that conditions give one by one, and mark both.
+
+    They are states that an event gives, velocities that a held phase keeps or a jump does
+    not depend on, and the only duration of a cell that the forcing makes so long.
+    """
+    kinds, numbers, _, _, cell = case[:5]
+    count, events = len(kinds), 0
+    for q in range(count):
+        events += 1 + highest(kinds, q)
+    for p in range(count):
+        q = p + 1 if p + 1 < count else 0
+        for state in range(2):
+            of = kinds[p, OF_X + state]
+            if of == AT_END or not is_alone(case, p, state):
+                continue
+            i, sign = (at[p] + state, 1.0) if of == AT_BEGIN else (at[q] + state, 1.0)
+            if of == AFTER and q == 0:
+                sign = cell[0]
+            if known[i]:  # what a second condition says of it is left to Newton's method
+                continue
+            y[i] = -sign * numbers[p, E_0] / numbers[p, E_X + state]
+            known[i], used[events + p] = True, True
+    for _ in range(count):
+        row = 0
+        for q in range(count):
+            p, sign = (q - 1, 1.0) if q > 0 else (count - 1, cell[0])
+            kept = numbers[p, RHO] == 0 or (not kinds[p, FREE] and known[at[p] + 1])
+            if kept and not known[at[q] + 1] and not used[row + 1]:
+                law = numbers[p, RHO] * y[at[p] + 1] + numbers[p, JUMP]
+                y[at[q] + 1] = sign * law
+                known[at[q] + 1], used[row + 1] = True, True
+            row += 1 + highest(kinds, q)
+    if count == 1 and cell[2] != 0:
+        i = len(y) - 2
+        y[i] = cell[2] * pi / cell[1]
+        known[i], used[len(y) - 1] = True, True
+
+
+def given_last(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
+    """Fill in durations that one condition alone sees, where the next phase begins; mark both.
+
+    They are those of held phases where nothing forces, whose event is not of their end.
+    """
+    kinds, _, setting, _, cell = case[:5]
+    count, row = len(kinds), 0
+    for q in range(count if cell[2] == 0 else 0):
+        p, sign = (q - 1, 1.0) if q > 0 else (count - 1, cell[0])
+        of_end = kinds[p, OF_X] == AT_END or kinds[p, OF_V] == AT_END
+        if not (kinds[p, FREE] or of_end) and known[at[p] + 1] and y[at[p] + 1] != 0:
+            i = at[count] + len(setting) + p
+            y[i] = (sign * y[at[q]] - y[at[p]]) / y[at[p] + 1]
+            known[i], used[row] = True, True
+        row += 1 + highest(kinds, q)
