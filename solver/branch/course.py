@@ -13,9 +13,7 @@ from ..arrays import Integers, Matrix, Vector
 from ..bodies.modal import BodyError
 from ..flow.exact_system import angles, arrays, phase_numbers, places
 from ..flow.flow import state_at
-from ..kernels.compiling import Account
 from ..kernels.family import Family
-from ..kernels.kernel import pays
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form, Phase
@@ -174,18 +172,11 @@ class Course(Itinerary):
 
     def functions(self) -> dict[str, Any]:
         """Return the functions of a branch, in the form that is quicker by now."""
-        family = self.family
-        make = family.compiled if pays(self._account, 1) else family.plain
-        return make(walk.__name__)
+        return self.family.quicker(walk.__name__)
 
     def spending(self) -> AbstractContextManager[None]:
         """Return what counts the time within as that of branches in plain Python."""
-        return self._account.spending()
-
-    @property
-    def _account(self) -> Account:
-        """What all branches have cost in plain Python."""
-        return self.family.account_of(walk.__name__)
+        return self.family.account_of(walk.__name__).spending()
 
     @property
     def mapped(self) -> int:

@@ -13,7 +13,6 @@ from ..branch.walk import MODULES
 from ..kernels import linking
 from ..kernels.compiling import Account, rebuilt
 from ..kernels.family import Family
-from ..kernels.kernel import pays
 from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import ROUNDING, of_monodromy
 from . import filling, following
@@ -53,9 +52,7 @@ def account(plane: Plane) -> Account:
 
 def functions(plane: Plane) -> dict[str, Any]:
     """Return the functions of maps, in the form that is quicker by now."""
-    family = family_of(plane)
-    make = family.compiled if pays(account(plane), 1) else family.plain
-    return make(filling.__name__)
+    return family_of(plane).quicker(filling.__name__)
 
 
 def block_of(

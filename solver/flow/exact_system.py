@@ -21,7 +21,7 @@ from ..arrays import Matrix, Vector
 from ..iteration.iteration import iterate_scene
 from ..kernels import bodies, linking
 from ..kernels.family import Family
-from ..kernels.kernel import Kernel, pays
+from ..kernels.kernel import Kernel
 from ..scenes.arrays import Arrays, arrays_of
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
@@ -139,7 +139,7 @@ def exact_kernel(cell: Cell) -> Kernel:
     if isinstance(cell, BodyCell):
         return bodies.exact_kernel(cell)
     count, account = len(cell.phases), FAMILY.account_of(__name__)
-    of = FAMILY.compiled(__name__) if pays(account, 1) else FAMILY.plain(__name__)
+    of = FAMILY.quicker(__name__)
     return Kernel(
         method="exact",
         durations=count,

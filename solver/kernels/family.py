@@ -66,6 +66,10 @@ class Family:
         text = text_of(sys.modules[name], *self.modules, compiling)
         return hashlib.sha256(name.encode() + text).hexdigest()[:16]
 
+    def quicker(self, name: str) -> dict[str, Any]:
+        """Return the functions of a module by its name, in the form that is quicker by now."""
+        return (self.compiled if self.account_of(name).pays() else self.plain)(name)
+
     @cache  # noqa: B019
     def plain(self, name: str) -> dict[str, Any]:
         """Return the functions of a module by its name, as plain Python."""
