@@ -113,9 +113,8 @@ def framed(cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
 
 
 def resolved(
-    values: Callable[[float], Vector], value: float, interval: Interval,
-    blocks: Integers | None = None,
-) -> tuple[Matrix, Interval]:  # fmt: skip
+    values: Callable[[float], Vector], value: float, interval: Interval, blocks: Integers
+) -> tuple[Matrix, Interval]:
     """Return Chebyshev series on an interval, or on the part about a value that they resolve.
 
     Parameters
@@ -125,7 +124,7 @@ def resolved(
     value : float
         About which the interval is cut where the series do not converge.
     interval : Interval
-    blocks : ndarray of int, optional
+    blocks : ndarray of int
         The block to which each entry belongs: rounding is a part of the largest of a block.
 
     Raises
@@ -141,7 +140,7 @@ def resolved(
 
 
 def _series(
-    values: Callable[[float], Vector], interval: Interval, blocks: Integers | None
+    values: Callable[[float], Vector], interval: Interval, blocks: Integers
 ) -> Matrix | None:
     """Return the Chebyshev coefficients of all entries; None where they are not resolved."""
     if not np.isfinite([values(interval.low), values(interval.high)]).all():
@@ -158,10 +157,8 @@ def _series(
     return found if (np.abs(found[:, -2:]) <= ROUNDING * sizes[:, None]).all() else None
 
 
-def of_blocks(sizes: Vector, blocks: Integers | None) -> Vector:
-    """Return the largest size in the block of each entry; its own without blocks."""
-    if blocks is None:
-        return sizes
+def of_blocks(sizes: Vector, blocks: Integers) -> Vector:
+    """Return the largest size in the block of each entry."""
     largest = np.zeros(blocks.max() + 1)
     np.maximum.at(largest, blocks, sizes)
     found: Vector = largest[blocks]

@@ -1,5 +1,6 @@
 """A branch of orbits along a parameter, through all orders of phases, both ways."""
 
+from bisect import bisect
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -189,13 +190,8 @@ def cut_where_violated(segment: Segment) -> None:
         if not _violations(*points[i]):
             last = i
             continue
-        first = i
-        while first - last > 1:
-            middle = (last + first) // 2
-            if _violations(*points[middle]):
-                first = middle
-            else:
-                last = middle
+        low = min(last + 1, i)
+        first = low + bisect(range(low, i), 0, key=lambda j: len(_violations(*points[j])))
         segment.why = f"beyond, {_violations(*points[first])[0]}"
         del points[first:]
         kept = {id(place) for _, place in points}

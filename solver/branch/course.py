@@ -126,10 +126,8 @@ class Course(Itinerary):
         """
         x, v, cos, constant = node.demands[row.number][1][:4]
         ended = cell.phases[row.phase]
-        return (
-            *(x, v * ended.rho, cos, constant + v * ended.d),
-            *[0.0] * len(cell.memory),
-        )
+        own = x, v * ended.rho, cos, constant + v * ended.d
+        return *own, *[0.0] * len(cell.memory)
 
     def along(
         self, content: Content, value: float, interval: Interval, z: Vector
@@ -146,15 +144,15 @@ class Course(Itinerary):
             The unknowns there: their sizes.
         """
         cell, forms = content(value)
-        count = len(self.entries(cell, forms))
+        blocks = self.blocks(cell, forms)
 
         def values(at: float) -> Vector:
             try:
                 return self.entries(*content(at))
             except (BodyError, ParameterError):  # no such oscillator
-                return np.full(count, np.nan)
+                return np.full(len(blocks), np.nan)
 
-        series, interval = resolved(values, value, interval, self.blocks(cell, forms))
+        series, interval = resolved(values, value, interval, blocks)
         others = (content(at)[0] for at in interval.some())
         return self.framed(cell, z, series, others), interval
 
@@ -162,9 +160,9 @@ class Course(Itinerary):
         """Return all entries of the arrays of a cell that may vary, the forms behind them."""
         return entries(cell, forms)
 
-    def blocks(self, cell: Cell, forms: list[Form]) -> Integers | None:
-        """Return the blocks of these entries, or None; see `along.resolved`."""
-        return None
+    def blocks(self, cell: Cell, forms: list[Form]) -> Integers:
+        """Return the blocks of these entries, each its own; see `along.resolved`."""
+        return np.arange(len(self.entries(cell, forms)))
 
     def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
         """Return the arrays of a cell by their series; see `along.framed`."""

@@ -8,7 +8,8 @@ from ..scenes.cell import Cell
 from ..scenes.dimensionless import Units
 from ..scenes.loaded import LoadedScene
 from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
-from ..simulation.machines import AnyMachine, machine_of
+from ..simulation.machine import Machine
+from ..simulation.machines import machine_of
 
 
 @dataclass(frozen=True)
@@ -106,6 +107,6 @@ class Itinerary:
         """Whether some phase holds the velocity."""
         return any(held for _, held in self.base.kinds)
 
-    def machine(self, numbers: tuple[float, ...]) -> AnyMachine:
+    def machine(self, numbers: tuple[float, ...]) -> Machine:
         """Return the phases that there are, and the rules by which they follow each other."""
         return machine_of(self.declares(numbers))

@@ -11,7 +11,7 @@ from ..in_order import motion_of
 from ..orbit.errors import Errors
 from ..presentation.table import Table, flat
 from ..scenes.case import Case
-from ..scenes.method_names import shown
+from ..scenes.methods import shown
 from .document import errors_of
 from .of_rows import OfRows
 

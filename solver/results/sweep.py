@@ -9,7 +9,7 @@ from ..kernels import registry
 from ..orbit.errors import Errors
 from ..presentation.table import Table, flat
 from ..scenes.case import Case
-from ..scenes.method_names import shown
+from ..scenes.methods import shown
 from .document import errors_of
 from .of_rows import OfRows
 
