@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .branch.branch import Both, Bounds, course_of, go, index_of, orbits_at, start_of
-from .branch.change import doubled
 from .branch.follow import RANGE
+from .branch.orders.change import doubled
 from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
 from .exact import exact_orbit

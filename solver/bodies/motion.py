@@ -6,11 +6,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Complex, Matrix, Vector
-from . import exact, series
+from . import exact
+from .force_series import series
+from .force_series.integrals import answers
+from .force_series.layout import (
+    Layout,
+    for_harmonics,
+    layout,
+    setting,
+)
 from .harmonics import system as harmonics
-from .integrals import answers
 from .laws import places
-from .layout import Layout, for_harmonics, layout, setting
 from .part import angles_of, generator_of, parts_of
 from .poles import Forms
 

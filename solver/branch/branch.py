@@ -13,10 +13,10 @@ from ..scenes.case import Case
 from ..scenes.orders import Order, OrderedScene, Step
 from ..scenes.parameter_error import ParameterError
 from .bodies.course import BodyCourse
-from .change import beyond
 from .course import Course
 from .follow import CLOSED, PART, Segment, follow, in_units
 from .locate import Found
+from .orders.change import beyond
 from .piece import NoStepError, Piece, Place
 from .walk import FLIP, FOLD, MEETS, NEUTRAL, OWN
 

@@ -23,7 +23,7 @@ from ..simulation.nodes import Node, walls
 from ..simulation.steps.column import NONE
 from . import walk, watch
 from .along import Along, Content, Interval, entries, framed, resolved
-from .itinerary import Itinerary
+from .orders.itinerary import Itinerary
 from .walk import FAMILY
 from .watch import AT_SWITCH, BEHIND, WITHIN
 

@@ -8,10 +8,16 @@ import numpy as np
 
 from ...generated import force_series
 from ..arrays import Matrix, Vector
-from ..bodies import events, exact, integrals, one_by_one, series
+from ..bodies import exact
 from ..bodies import motion as motions
+from ..bodies.force_series import (
+    events,
+    integrals,
+    one_by_one,
+    series,
+)
+from ..bodies.force_series.layout import setting
 from ..bodies.harmonics import system as harmonics
-from ..bodies.layout import setting
 from ..bodies.part import parts_of
 from ..scenes.methods import about
 from . import linking

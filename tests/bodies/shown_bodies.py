@@ -11,8 +11,8 @@ from nonsmooth.codegen.galerkin.bodies import BodyConditions
 from nonsmooth.codegen.galerkin.bodies.contacts import RATE
 from nonsmooth.codegen.galerkin.condition import N
 from nonsmooth.codegen.scene import Scene
+from nonsmooth.solver.bodies.force_series.layout import layout
 from nonsmooth.solver.bodies.harmonics import system as harmonics
-from nonsmooth.solver.bodies.layout import layout
 from nonsmooth.solver.bodies.motion import solved
 from nonsmooth.solver.bodies.poles import poles_of
 from nonsmooth.solver.kernels import registry

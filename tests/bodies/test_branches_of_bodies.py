@@ -16,7 +16,7 @@ from nonsmooth.solver.branch.bodies import equations
 from nonsmooth.solver.branch.bodies.arrays import case_of
 from nonsmooth.solver.branch.bodies.course import BodyCourse
 from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
-from nonsmooth.solver.branch.change import doubled
+from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.branch.rows import row_of
 from nonsmooth.solver.branches import branch_case
 from nonsmooth.solver.charts.curves import GAUGES, REAL, _followed

@@ -8,11 +8,11 @@ from bodies.test_reference_bodies import EXACT, error, start
 
 from nonsmooth.generated.hb import break_series
 from nonsmooth.solver.bodies import motion
+from nonsmooth.solver.bodies.force_series.layout import layout
 from nonsmooth.solver.bodies.harmonics import system
 from nonsmooth.solver.bodies.harmonics.breaks import Break, answers_to
 from nonsmooth.solver.bodies.harmonics.frame import compliance, frame_of
 from nonsmooth.solver.bodies.laws import places
-from nonsmooth.solver.bodies.layout import layout
 from nonsmooth.solver.bodies.poles import Poles
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.solution import attempt

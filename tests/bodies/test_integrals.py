@@ -8,8 +8,8 @@ import pytest
 
 from nonsmooth.codegen.galerkin import force_series
 from nonsmooth.generated import force_series as emitted
-from nonsmooth.solver.bodies import integrals, one_by_one
-from nonsmooth.solver.bodies.integrals import (
+from nonsmooth.solver.bodies.force_series import integrals, one_by_one
+from nonsmooth.solver.bodies.force_series.integrals import (
     answers,
     factors,
     moment_rates,

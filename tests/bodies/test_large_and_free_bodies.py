@@ -13,7 +13,7 @@ from scipy.linalg import expm
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene
 from nonsmooth.solver.bodies import modal
-from nonsmooth.solver.bodies.layout import layout
+from nonsmooth.solver.bodies.force_series.layout import layout
 from nonsmooth.solver.scenes.parameter_error import ParameterError
 
 SPRING, GAP = 10.0, 0.5

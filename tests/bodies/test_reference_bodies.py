@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from bodies.reference_bodies import Reference, body, case, of, references
 
-from nonsmooth.solver.bodies import layout, motion
+from nonsmooth.solver.bodies import motion
+from nonsmooth.solver.bodies.force_series import layout
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.bodies import exact_kernel
 from nonsmooth.solver.kernels.start import RoughTimes

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from made_scenes import made
 
-from nonsmooth.solver.bodies import events
+from nonsmooth.solver.bodies.force_series import events
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import bodies, family, linking, polynomials, registry, series

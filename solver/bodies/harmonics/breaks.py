@@ -8,7 +8,7 @@ import numpy as np
 
 from ....generated.hb import break_series
 from ...arrays import Complex, Matrix, Vector
-from ..integrals import answers, moments
+from ..force_series.integrals import answers, moments
 from ..poles import Poles
 
 

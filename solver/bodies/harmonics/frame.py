@@ -7,8 +7,8 @@ import numpy as np
 
 from ....generated import force_harmonics as formula
 from ...arrays import Complex, Vector
-from ..integrals import moments
-from ..layout import Layout, for_harmonics
+from ..force_series.integrals import moments
+from ..force_series.layout import Layout, for_harmonics
 from ..poles import Forms
 from .breaks import Answer, Break, answers_to
 

@@ -5,14 +5,14 @@ from typing import Any
 import numpy as np
 from flint import acb, arb
 
-from ...bodies.layout import layout
+from ...bodies.force_series.layout import layout
 from ...kernels.bodies import Given
 from .body import Balls, Body, Forms, at_end, balls, laws, real, solved, statements
 from .pieces import Piece, around, moments
 
 
 def residual(given: Given, times: Any, R: Any) -> None:
-    """Fill R with the events and the length of the cell, as ``solver.bodies.series`` has them.
+    """Fill R with the events and the length of the cell, as the kernel has them.
 
     Raises
     ------

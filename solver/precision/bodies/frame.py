@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from flint import acb, arb, fmpq
 
-from ...bodies.layout import for_harmonics
+from ...bodies.force_series.layout import for_harmonics
 from ...kernels.bodies import Given
 from .body import Balls, Body, Forms, at_end, balls, closed, impulses, laws
 from .pieces import Piece, around, moments

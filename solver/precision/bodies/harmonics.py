@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from flint import acb, arb
 
-from ...bodies.layout import for_harmonics
+from ...bodies.force_series.layout import for_harmonics
 from ...kernels.bodies import Given
 from .body import Balls, Forms, balls, real, solved, statements
 from .frame import Frame, of_real

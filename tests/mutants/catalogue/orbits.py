@@ -249,7 +249,7 @@ MUTANTS = (
     ),
     Mutant(
         "a doubled orbit is judged with the cycles of the case",
-        "solver/branch/itinerary.py",
+        "solver/branch/orders/itinerary.py",
         "is_own = scene == case.scene and case.cycles == self.cycles",
         "is_own = scene == case.scene",
         (f"{BRANCHES}::test_an_orbit_that_loses_an_impact_keeps_its_cycles",),
@@ -301,7 +301,7 @@ MUTANTS = (
     ),
     Mutant(
         "one of many motions with a memory that nothing sets is followed",
-        "solver/branch/candidates.py",
+        "solver/branch/orders/candidates.py",
         " and not held and not self.cell.memory",
         " and not held",
         (f"{ENDS}::test_no_motion_is_followed_of_which_there_is_one_for_each_memory",),
@@ -348,7 +348,7 @@ MUTANTS = (
     ),
     Mutant(
         "the force series answers an odd polynomial as it begins, not as it ends",
-        "solver/bodies/series.py",
+        "solver/bodies/force_series/series.py",
         "found[1::2] *= -1",
         "found[1::2] *= 1",
         (f"{BALLS_OF_BODIES}::test_solutions_in_balls_are_those_of_the_kernels",),
@@ -390,7 +390,7 @@ MUTANTS = (
     ),
     Mutant(
         "behind a rest that vanishes a flight goes on, though it ends by an impact",
-        "solver/branch/candidates.py",
+        "solver/branch/orders/candidates.py",
         "if self._leaps(p):",
         "if False:",
         (f"{EVENTS}::test_what_happens_is_located_to_rounding",),

@@ -6,15 +6,26 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..arrays import Complex, Indices, Integers, Matrix, Vector
-from .laws import added, law_matrix, lawful, places
-from .modal import BodyError
-from .part import shifts
-from .poles import Forms, Poles, poles_of
-from .switch import impulses, switch
+from ...arrays import (
+    Complex,
+    Indices,
+    Integers,
+    Matrix,
+    Vector,
+)
+from ..laws import (
+    added,
+    law_matrix,
+    lawful,
+    places,
+)
+from ..modal import BodyError
+from ..part import shifts
+from ..poles import Forms, Poles, poles_of
+from ..switch import impulses, switch
 
 if TYPE_CHECKING:
-    from ..scenes.bodies.cell import BodyCell
+    from ...scenes.bodies.cell import BodyCell
 
 #: Most polynomials of a piece: a phase of more is cut into equal pieces.
 MOST = 32

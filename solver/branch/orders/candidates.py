@@ -6,11 +6,16 @@ A phase is put in with no duration, or taken out: what may follow by the rules o
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from ..scenes.orders import Order, Step, image
-from ..simulation.followers import may_follow
-from .course import ROUNDING, Course
-from .locate import Found
-from .watch import END, LEAST, START, WITHIN
+from ...scenes.orders import Order, Step, image
+from ...simulation.followers import may_follow
+from ..course import ROUNDING, Course
+from ..locate import Found
+from ..watch import (
+    END,
+    LEAST,
+    START,
+    WITHIN,
+)
 
 
 @dataclass(frozen=True)

@@ -8,15 +8,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arrays import Vector
-from ..scenes.loaded import UnknownScene
-from ..scenes.orders import Order
-from ..scenes.parameter_error import ParameterError
+from ...arrays import Vector
+from ...scenes.loaded import UnknownScene
+from ...scenes.orders import Order
+from ...scenes.parameter_error import ParameterError
+from ..course import Course
+from ..locate import Found
+from ..meeting import halves_apart
+from ..piece import NoStepError, Piece, Place
 from .candidates import AtEvent, Candidate
-from .course import Course
-from .locate import Found
-from .meeting import halves_apart
-from .piece import NoStepError, Piece, Place
 
 #: Durations of a phase that is put in, in turn, as parts of a cell; steps of the parameter.
 #: Near chatter a fold is as close as the last.

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Complex, Matrix, Vector
+from ...arrays import Complex, Matrix, Vector
 from .integrals import moment_rates, rates_by_moments, response_rates
 from .series import linear, signed, solved
 

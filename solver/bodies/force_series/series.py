@@ -13,8 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Complex, Matrix, Vector
-from .integrals import factors, moments, responses, whole
+from ...arrays import Complex, Matrix, Vector
+from .integrals import (
+    factors,
+    moments,
+    responses,
+    whole,
+)
 
 
 def begins_of(case: Any, times: Vector) -> Vector:

@@ -3,13 +3,20 @@
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from ..scenes.case import Case
-from ..scenes.cell import Cell
-from ..scenes.dimensionless import Units
-from ..scenes.loaded import LoadedScene
-from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
-from ..simulation.machine import Machine
-from ..simulation.machines import machine_of
+from ...scenes.case import Case
+from ...scenes.cell import Cell
+from ...scenes.dimensionless import Units
+from ...scenes.loaded import LoadedScene
+from ...scenes.orders import (
+    Order,
+    OrderedScene,
+    Step,
+    image,
+    in_cell,
+    in_order,
+)
+from ...simulation.machine import Machine
+from ...simulation.machines import machine_of
 
 
 @dataclass(frozen=True)

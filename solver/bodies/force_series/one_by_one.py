@@ -5,7 +5,7 @@ There kappa is one number, and what is found of it one column.
 
 from typing import Any
 
-from ..arrays import Complex
+from ...arrays import Complex
 
 
 def apart(kappa: Complex, limit: int) -> Any:

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.force_series import (
+from ....generated.force_series import (
     answer_0,
     answer_1,
     moment_0,
@@ -33,7 +33,7 @@ from ...generated.force_series import (
     weighted_moment,
     weighted_response,
 )
-from ..arrays import Complex, Matrix, Vector
+from ...arrays import Complex, Matrix, Vector
 
 #: From how many degrees beyond the last that is wanted ``A_m`` are found downwards, and half of
 #: ``|kappa|``: what is wrong there is below 1e-18 of what is wanted.

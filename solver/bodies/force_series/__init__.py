@@ -1,0 +1,1 @@
+"""The force series of a body: contact forces in Legendre polynomials, answered by its poles."""
