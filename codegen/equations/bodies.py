@@ -7,7 +7,7 @@ import sympy as sp
 from ..galerkin.bodies.contacts import RATE, Contacts
 from ..scene.bodies.law import body_of, laws
 from ..system import Equation
-from .functions import state, t
+from .conditions.functions import state, t
 from .notation import Notation
 from .switching import at_state, balanced
 

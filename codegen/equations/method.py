@@ -11,12 +11,12 @@ from ..galerkin import Block, GalerkinConditions, cycles
 from ..scene import Scene
 from ..scene.smoothness import class_of
 from ..system import Equation, GalerkinSystem
-from .family import shown
-from .forces import Forces
-from .fourier import Fourier
-from .functions import T
+from .conditions.family import shown
+from .conditions.forces import Forces
+from .conditions.fourier import Fourier
+from .conditions.functions import T
+from .conditions.polynomial import Polynomial
 from .notation import Notation
-from .polynomial import Polynomial
 
 #: What is said of the conditions where the forcing may have several cycles in the period.
 ONE_CYCLE = (

@@ -13,7 +13,7 @@ from ..galerkin import Times
 from ..scene import Scene, Switch, saltations, switches
 from ..scene.bodies.law import body_of
 from ..scenes import numbers_of
-from .functions import T, omega_0, state
+from .conditions.functions import T, omega_0, state
 
 
 @dataclass(frozen=True)

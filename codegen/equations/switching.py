@@ -6,7 +6,7 @@ import sympy as sp
 
 from ..scene import Memory, forcing, linear_phase, saltation, v, x
 from ..scene.smoothness import generator, known_rows
-from .functions import Rate, state, t
+from .conditions.functions import Rate, state, t
 from .notation import Notation
 from .tidy import positive
 

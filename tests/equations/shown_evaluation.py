@@ -12,9 +12,9 @@ import sympy as sp
 from numpy.polynomial import legendre
 from scipy.special import spherical_jn
 
-from nonsmooth.codegen.equations.functions import R, t, u
-from nonsmooth.codegen.equations.one_function import G, q
-from nonsmooth.codegen.equations.polynomial import S
+from nonsmooth.codegen.equations.conditions.functions import R, t, u
+from nonsmooth.codegen.equations.conditions.one_function import G, q
+from nonsmooth.codegen.equations.conditions.polynomial import S
 from nonsmooth.codegen.system import Equation
 
 if TYPE_CHECKING:

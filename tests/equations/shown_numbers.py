@@ -14,7 +14,7 @@ from galerkin.derived import of_conditions
 from shown_evaluation import Evaluation
 
 from nonsmooth.codegen.equations import method_equations
-from nonsmooth.codegen.equations.family import shown
+from nonsmooth.codegen.equations.conditions.family import shown
 from nonsmooth.codegen.galerkin import GalerkinConditions
 from nonsmooth.codegen.galerkin.harmonics import a, b
 from nonsmooth.codegen.system import Equation

@@ -19,7 +19,7 @@ from reading.latex import tokens as latex_tokens
 from reading.plain import named, plain
 from reading.tokens import ReadingError, Token
 
-from nonsmooth.codegen.equations.functions import Member, Rate
+from nonsmooth.codegen.equations.conditions.functions import Member, Rate
 from nonsmooth.codegen.printing import html
 from nonsmooth.codegen.printing.latex import aligned
 from nonsmooth.codegen.printing.words import spoken

@@ -10,8 +10,8 @@ from shown_evaluation import UnknownError
 from shown_numbers import Numbers
 from shown_scenes import CASES, CASES_OF_EVERY_RUN, numbers
 
-from nonsmooth.codegen.equations.functions import R
-from nonsmooth.codegen.equations.polynomial import S
+from nonsmooth.codegen.equations.conditions.functions import R
+from nonsmooth.codegen.equations.conditions.polynomial import S
 from nonsmooth.codegen.equations.registry import conditions
 from nonsmooth.codegen.scene import in_order
 from nonsmooth.codegen.scenes import dry_friction

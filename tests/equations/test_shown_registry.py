@@ -10,7 +10,7 @@ from shown_scenes import EVERY_RUN, SCENES
 
 import nonsmooth as ns
 from nonsmooth.codegen.equations import derive_scene, scene_equations, scene_named
-from nonsmooth.codegen.equations.functions import Rate
+from nonsmooth.codegen.equations.conditions.functions import Rate
 from nonsmooth.codegen.equations.registry import conditions, methods
 from nonsmooth.codegen.scene import Scene, forcing, switches, v, x
 from nonsmooth.codegen.scene.smoothness import place

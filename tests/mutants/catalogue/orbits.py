@@ -242,7 +242,7 @@ MUTANTS = (
     ),
     Mutant(
         "of the paper: (12) is shown without its ramp",
-        "codegen/equations/one_function.py",
+        "codegen/equations/conditions/one_function.py",
         "u**2 * (3 - 2 * u) - t / T",
         "u**2 * (3 - 2 * u)",
         ("tests/equations/test_shown_equations.py",),

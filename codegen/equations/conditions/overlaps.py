@@ -10,12 +10,17 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..galerkin.harmonics import POWERS, Harmonics, j, n
-from ..galerkin.legendre import l
-from ..system import Equation
+from ...galerkin.harmonics import (
+    POWERS,
+    Harmonics,
+    j,
+    n,
+)
+from ...galerkin.legendre import l
+from ...system import Equation
+from ..notation import Notation
+from ..tidy import SAME
 from .functions import omega_0, t
-from .notation import Notation
-from .tidy import SAME
 
 
 @dataclass(frozen=True)

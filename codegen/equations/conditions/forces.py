@@ -4,10 +4,10 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from ..galerkin import Condition, GalerkinConditions
-from ..galerkin.bodies import BodyConditions, Table
-from ..galerkin.bodies.contacts import Contacts, j, pole
-from ..system import Equation
+from ...galerkin import Condition, GalerkinConditions
+from ...galerkin.bodies import BodyConditions, Table
+from ...galerkin.bodies.contacts import Contacts, j, pole
+from ...system import Equation
 from .family import Family
 from .functions import t
 

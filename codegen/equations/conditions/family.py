@@ -6,13 +6,13 @@ from functools import cached_property
 
 import sympy as sp
 
-from ..galerkin import Block, Condition, GalerkinConditions
-from ..galerkin.closure import START, differentiated, law
-from ..scene import v, x
-from ..system import Equation
+from ...galerkin import Block, Condition, GalerkinConditions
+from ...galerkin.closure import START, differentiated, law
+from ...scene import v, x
+from ...system import Equation
+from ..notation import Notation
+from ..switching import event, event_after, set_to
 from .functions import state
-from .notation import Notation
-from .switching import event, event_after, set_to
 
 
 class Family(ABC):

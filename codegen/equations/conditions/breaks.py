@@ -10,14 +10,19 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..expansions import hb_ck
-from ..galerkin import GalerkinConditions
-from ..galerkin.harmonics import beta
-from ..galerkin.legendre import l
-from ..scene import LinearPhase
-from ..system import Equation, Inner
-from .functions import member, omega_0, t, u
-from .notation import Notation
+from ...expansions import hb_ck
+from ...galerkin import GalerkinConditions
+from ...galerkin.harmonics import beta
+from ...galerkin.legendre import l
+from ...scene import LinearPhase
+from ...system import Equation, Inner
+from ..notation import Notation
+from .functions import (
+    member,
+    omega_0,
+    t,
+    u,
+)
 
 _n = sp.Symbol("n", integer=True, nonnegative=True)
 

@@ -5,16 +5,31 @@ from itertools import pairwise
 
 import sympy as sp
 
-from ..galerkin import Condition, GalerkinConditions
-from ..galerkin.condition import N
-from ..galerkin.harmonics import Harmonics, a, a0, b, equations, j, n
-from ..system import Equation, Inner
+from ...galerkin import Condition, GalerkinConditions
+from ...galerkin.condition import N
+from ...galerkin.harmonics import (
+    Harmonics,
+    a,
+    a0,
+    b,
+    equations,
+    j,
+    n,
+)
+from ...system import Equation, Inner
+from ..tidy import by_unknown
 from .breaks import Breaks
 from .family import Family
-from .functions import R, Rate, T, omega_0, t, x
+from .functions import (
+    R,
+    Rate,
+    T,
+    omega_0,
+    t,
+    x,
+)
 from .one_function import OneFunction
 from .overlaps import Overlaps
-from .tidy import by_unknown
 
 #: Sections of the paper, without and with functions beside the series.
 SECTIONS = ("3.1", "3.2")

@@ -6,13 +6,18 @@ from typing import ClassVar
 
 import sympy as sp
 
-from ..expansions import hb_c1
-from ..galerkin import GalerkinConditions
-from ..galerkin.legendre import l
-from ..scene import LinearPhase
-from ..system import Equation, Inner
-from .functions import T, omega_0, t, u
-from .notation import Notation
+from ...expansions import hb_c1
+from ...galerkin import GalerkinConditions
+from ...galerkin.legendre import l
+from ...scene import LinearPhase
+from ...system import Equation, Inner
+from ..notation import Notation
+from .functions import (
+    T,
+    omega_0,
+    t,
+    u,
+)
 
 #: The function, and its residual.
 G, q = sp.Function("G")(t), sp.Function("q")(t)

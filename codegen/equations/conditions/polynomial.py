@@ -6,14 +6,36 @@ from importlib import import_module
 
 import sympy as sp
 
-from ..galerkin import Condition, GalerkinConditions, polynomials
-from ..galerkin.legendre import Moments, l, n, repeated_integral
-from ..galerkin.polynomials import Rest, Test, moments, series
-from ..scene import linear_phase
-from ..system import Equation, Inner, ShiftedLegendre, TwiceIntegrated
+from ...galerkin import Condition, GalerkinConditions, polynomials
+from ...galerkin.legendre import (
+    Moments,
+    l,
+    n,
+    repeated_integral,
+)
+from ...galerkin.polynomials import (
+    Rest,
+    Test,
+    moments,
+    series,
+)
+from ...scene import linear_phase
+from ...system import (
+    Equation,
+    Inner,
+    ShiftedLegendre,
+    TwiceIntegrated,
+)
+from ..tidy import by_entries, by_unknown
 from .family import Family
-from .functions import R, Rate, member, t, u, x
-from .tidy import by_entries, by_unknown
+from .functions import (
+    R,
+    Rate,
+    member,
+    t,
+    u,
+    x,
+)
 
 #: Numbers of the paper; but for (18) they are of functions of class C^1.
 NUMBERS = {"acceleration": "15", "expansion": "16", "residual": "17", "tests": "18"}
@@ -37,7 +59,7 @@ class Polynomial(Family):
         self.trial = series(conditions.scene, self.notation.times, self.notation.found)
         self.moments = tuple(moments(conditions.scene, self.notation.times))
         name = conditions.method.replace("-", "_")
-        expansion = import_module(f"..expansions.{name}", __package__)
+        expansion = import_module(f"...expansions.{name}", __package__)
         self.test: Test = expansion.test
         self.rest: Rest | None = getattr(expansion, "rest", None)
 
