@@ -13,7 +13,7 @@ from shown_reading import drawn_tokens, functions, page_tokens, typeset_tokens, 
 from shown_scenes import EVERY_RUN, SCENES
 
 import nonsmooth as ns
-from nonsmooth.cli import tex
+from nonsmooth.cli.commands import tex
 from nonsmooth.codegen.equations import sections
 from nonsmooth.codegen.printing.html import page_of
 from nonsmooth.codegen.printing.latex import aligned, document_of, fragment_of

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.cli import tex
+from nonsmooth.cli.commands import tex
 from nonsmooth.solver.trade.measured import Trade
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the modes are POSIX")

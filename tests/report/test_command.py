@@ -13,7 +13,7 @@ from drawn import data, labels, longest, note, report_axes
 from matplotlib.figure import Figure
 from refusals import refused
 
-from nonsmooth.cli.paper import FIGURES as NUMBERS
+from nonsmooth.cli.commands.paper import FIGURES as NUMBERS
 from nonsmooth.report import build
 from nonsmooth.report.captions import PLATES
 

@@ -18,13 +18,13 @@ import click
 
 from ..extras import MissingExtra
 from .about import no_such_option
-from .equations import equations
-from .generate import generate
-from .listing import modes, scenes
+from .commands.equations import equations
+from .commands.generate import generate
+from .commands.listing import modes, scenes
+from .commands.paper import report, roots
+from .commands.version import show_version
 from .named import SCENES, STRUCTURES, NamedCommand
-from .paper import report, roots
 from .problems import Problem, print_warnings, say
-from .version import show_version
 
 EXAMPLES = """\b
 Examples:

@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from .problems import Problem
+from ..problems import Problem
 
 #: One run suffices: the documents refer to nothing.
 COMMAND = ("-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape")

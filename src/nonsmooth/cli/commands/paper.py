@@ -10,9 +10,9 @@ import click
 from nonsmooth.extras import require
 from nonsmooth.files.json_text import as_json
 
-from .about import PREFIX, flag, given
-from .named import DEFAULT, NamedCommand, scene_named
-from .output import (
+from ..about import PREFIX, flag, given
+from ..named import DEFAULT, NamedCommand, scene_named
+from ..output import (
     FOR_REPORTS,
     PICTURES,
     Destination,
@@ -21,13 +21,13 @@ from .output import (
     write_folder,
     write_whole,
 )
-from .progress import busy, progress
+from ..progress import busy, progress
 
 if TYPE_CHECKING:
     from nonsmooth.all_solutions import RealSolution
     from nonsmooth.kim_perkins import StickSlip
 
-    from .columns import Piece
+    from ..columns import Piece
 
 #: Flags, with what their help says.
 FLAGS = {
@@ -78,7 +78,7 @@ def belt_from(case: Path | None, flags: dict[str, Any]) -> "StickSlip":
     """
     from nonsmooth.kim_perkins import StickSlip
 
-    from .scenes.case import case_from
+    from ..scenes.case import case_from
 
     belt = case_from(given(scene_named(DEFAULT), case, flags))
     assert isinstance(belt, StickSlip)
@@ -108,8 +108,8 @@ def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> 
 
 def _pieces(belt: "StickSlip", found: "list[RealSolution]") -> "Iterator[Piece]":
     """Show one row a solution; a long verdict goes on in the next line."""
-    from .columns import table_of
-    from .scenes.captions import caption
+    from ..columns import table_of
+    from ..scenes.captions import caption
 
     yield caption(belt)
     table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch")
@@ -145,7 +145,12 @@ def report(case: Path | None, figure: str | None, output: Path, **flags: float |
     if figure is not None:
         check_target(output, PICTURES)
     belt = belt_from(case, flags)
-    from nonsmooth.report.build import FILES, STEPS, build, write_plate
+    from nonsmooth.report.build import (
+        FILES,
+        STEPS,
+        build,
+        write_plate,
+    )
 
     if figure is not None:
         write_whole(output, lambda target: write_plate(belt, int(figure), target))

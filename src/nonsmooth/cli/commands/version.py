@@ -6,7 +6,7 @@ import platform
 import click
 from click.core import Context, Parameter
 
-from .named import DEFAULT
+from ..named import DEFAULT
 
 
 def show_version(context: Context, _: Parameter, wanted: bool) -> None:

@@ -9,11 +9,11 @@ import click
 
 from nonsmooth.scene_files.error import SceneFileError
 
+from ..named import DEFAULT, structure_names
+from ..output import check_target, write_text, write_whole
+from ..problems import Problem
+from ..progress import busy
 from . import tex
-from .named import DEFAULT, structure_names
-from .output import check_target, write_text, write_whole
-from .problems import Problem
-from .progress import busy
 
 if TYPE_CHECKING:
     from nonsmooth.codegen.system import Section

@@ -5,10 +5,10 @@ from click.shell_completion import CompletionItem
 
 from nonsmooth.scene_files.read import is_path
 
-from .about import completed
-from .named import scene_named, scene_names
-from .problems import Problem
-from .progress import busy
+from ..about import completed
+from ..named import scene_named, scene_names
+from ..problems import Problem
+from ..progress import busy
 
 EPILOG = """\b
 Examples:
