@@ -35,7 +35,7 @@ settings.load_profile("fixed")
 SHARED = {
     **dict.fromkeys(("test_command_line", "test_documentation", "report"), "paper"),
     **dict.fromkeys(("accuracy", "test_iteration_scenes"), "paper"),
-    **dict.fromkeys(("branch", "charts", "test_branches_of_bodies"), "branches"),
+    **dict.fromkeys(("branch", "charts"), "branches"),
     **{room: room for room in ("equations", "galerkin", "space")},
 }
 

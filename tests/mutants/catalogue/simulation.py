@@ -10,7 +10,7 @@ RUN = (
     "tests/simulation/test_run.py::test_the_states_at_whole_turns_are_those_of_the_simulation",
 )
 SETTLE = "tests/simulation/test_settle.py"
-BODIES = "tests/bodies/test_events_of_bodies.py"
+BODIES = "tests/simulation/test_events_of_bodies.py"
 CLOCK = ("tests/simulation/test_run.py::test_the_clock_loses_no_digit_behind_many_phases",)
 
 MUTANTS = (

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 import sympy as sp
-import test_random_chains as chains
+from bodies import test_random_chains as chains
 from bodies.reference_bodies import body, case, of
 from every_run import tried
 from refusals import refused

@@ -5,7 +5,7 @@ from functools import cache, partial
 
 import numpy as np
 import pytest
-from reference_bodies import case, chain, of
+from bodies.reference_bodies import case, chain, of
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
