@@ -22,7 +22,7 @@ from .charts.curves import curves_of
 from .charts.lines import Line, Stretch, line_of
 from .charts.plane import Bounds, Plane
 from .results.chart import Chart, ChartInterrupted, EventCurve
-from .scenes.case import Case
+from .scenes.case import Case, check_case
 from .scenes.parameter_error import is_number
 
 #: Least and most values of an axis, and most points.
@@ -200,8 +200,7 @@ def _result(
 
 def _axes(case: Case, axes: Mapping[str, tuple[float, float, int]]) -> tuple[Axis, Axis]:
     """Return what varies along the columns and along the rows, checked."""
-    if not isinstance(case, Case):
-        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    check_case(case)
     if not isinstance(axes, Mapping) or len(axes) != 2:
         raise ValueError(f"axes: got {axes!r:.80}, expected two parameters")
     columns, rows = (_axis(case, name, given) for name, given in axes.items())

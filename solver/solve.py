@@ -9,7 +9,7 @@ from .in_order import cases_in_order
 from .kernels import registry
 from .no_orbit import NoOrbit, of_any_motion
 from .results.orbit import Orbit
-from .scenes.case import Case
+from .scenes.case import Case, check_case
 from .scenes.methods import FIRST
 from .search import COARSE, Search, search_of
 from .stability.stability import is_stable
@@ -57,8 +57,7 @@ def solve_case(
     >>> solve_case(case, order=12).admissible
     True
     """
-    if not isinstance(case, Case):
-        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    check_case(case)
     method = registry.generic_method(case.scene, method)
     if motion is not None:
         case = case.of_motion(motion)

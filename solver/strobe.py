@@ -8,7 +8,7 @@ import numpy as np
 
 from .arrays import Integers, Matrix, Vector
 from .results.strobe import Attractor, Basins, Diagram
-from .scenes.case import Case
+from .scenes.case import Case, check_case
 from .scenes.parameter_error import ParameterError, is_number, whole
 from .simulation.bodies import turns
 from .simulation.bodies.machine import BodyMachine
@@ -233,8 +233,7 @@ def _units(case: Case) -> Vector:
 
 
 def _check_forced(case: Case) -> None:
-    if not isinstance(case, Case):
-        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    check_case(case)
     if case.scene.frequency is None:
         words = "there is no period at which its states could be looked at"
         raise ValueError(f"scene: nothing forces {case.scene.name}: {words}")

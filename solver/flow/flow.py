@@ -4,7 +4,7 @@ import cmath
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Vector
 from ..scenes.cell import Phase
 from . import responses
 from .divided import of_three_at, of_two_at
@@ -41,13 +41,6 @@ def motion(
         if derivative == 2:
             x = phase.acceleration(x, v, np.cos(omega * t.ravel() + angle))
     return np.asarray((x, v, x)[derivative]).reshape(t.shape)
-
-
-def by_start(phase: Phase, s: float) -> Matrix:
-    """Return the derivatives of the state a time after the start by that at the start."""
-    if phase.held:
-        return np.array([[1.0, 0.0], [0.0, 0.0]])
-    return np.reshape(responses.by_start(phase.m, phase.c, phase.k, s)[:4], (2, 2))
 
 
 def _states(

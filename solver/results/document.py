@@ -1,10 +1,10 @@
 """An orbit of a scene as the document that programs read, in SI units."""
 
-import math
 from dataclasses import asdict, fields
 from typing import TYPE_CHECKING, Any
 
 from ..orbit.errors import Errors
+from ..presentation.documents import SCHEMA, finite
 from ..scenes.classes import classes
 from ..stability import in_words as stability
 
@@ -14,9 +14,6 @@ if TYPE_CHECKING:
     from ..scenes.case import Case
     from ..scenes.cell import Phase
     from .orbit import Orbit
-
-#: Of the document's keys and their meaning.
-SCHEMA = 2
 
 
 def document(orbit: "Orbit") -> dict[str, Any]:
@@ -49,7 +46,8 @@ def document(orbit: "Orbit") -> dict[str, Any]:
         "others": [_of_other(other) for other in orbit.others],
         "outcome": vars(orbit.outcome) | {"unknowns": orbit.unknowns.tolist()},
     }
-    return {name: _finite(value) for name, value in content.items()}
+    found: dict[str, Any] = finite(content)
+    return found
 
 
 def document_without_orbit(
@@ -83,7 +81,8 @@ def document_without_orbit(
         "status": finding.status,
     }
     content = case.completed(content, exact)
-    return {name: _finite(value) for name, value in content.items()}
+    found: dict[str, Any] = finite(content)
+    return found
 
 
 def _head(
@@ -126,14 +125,3 @@ def _of_other(exact: "ExactOrbit") -> dict[str, Any]:
     """Return what is said of an orbit that exists beside another."""
     motion = {"motion": exact.case.scene.motion}
     return motion | _of_exact(exact) | stability.document(exact)
-
-
-def _finite(value: Any) -> Any:
-    """Return a document with None for what is infinite or not a number."""
-    if isinstance(value, dict):
-        return {name: _finite(part) for name, part in value.items()}
-    if isinstance(value, list):
-        return [_finite(part) for part in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from numbers import Integral
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
@@ -67,6 +68,7 @@ class Case:
         if errors:
             raise ParameterError(errors)
         object.__setattr__(self, "values", MappingProxyType(checked))
+        object.__setattr__(self, "cycles", int(self.cycles))
         try:
             units, numbers = units_of(self.scene, tuple(checked.values()))
         except UnitsError as error:
@@ -176,9 +178,21 @@ class Case:
         return text if self.cycles == 1 else f"{text}; {self.cycles} cycles of the forcing"
 
 
+def check_case(case: object) -> None:
+    """Check what is to be solved.
+
+    Raises
+    ------
+    TypeError
+        If it is no `Case`.
+    """
+    if not isinstance(case, Case):
+        raise TypeError(f"case: got {case!r:.80}, expected a case of ns.scene(...)")
+
+
 def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
     """Return what is wrong with the number of periods of the forcing."""
-    whole = isinstance(cycles, int) and not isinstance(cycles, bool)
+    whole = isinstance(cycles, Integral) and not isinstance(cycles, bool)
     if not (whole and 1 <= cycles <= MOST_CYCLES):  # type: ignore[operator]
         expected = f"a whole number from 1 to {MOST_CYCLES}"
     elif scene.frequency is None and cycles != 1:

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from ..arrays import Vector
 from ..flow import flow
+from ..presentation.documents import SCHEMA
 from ..presentation.notebook import of_rows
 from ..presentation.table import COURSE, Table, Tabular
 from ..scenes.case import Case
@@ -18,9 +19,6 @@ from ..scenes.cell import Phase
 from ..scenes.orders import Step
 from .lasting import lasts
 from .steps.bounds import window
-
-#: Of the document's keys and their meaning.
-SCHEMA = 2
 
 #: The number of the force among the quantities of a motion, behind three derivatives.
 FORCE = 3

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from ..scenes.case import Case
+from ..scenes.case import Case, check_case
 from ..scenes.cell import Cell
 from ..scenes.parameter_error import is_number
 from .machines import machine_of
@@ -73,8 +73,7 @@ def simulate(
     >>> print(motion.displacement([0, 1, 2]).round(6))
     [ 0.        0.023297 -0.395435]
     """
-    if not isinstance(case, Case):
-        raise TypeError(f"case: got {case!r:.80}, expected a case of ns.scene(...)")
+    check_case(case)
     case = case.of_fullest()
     turn = _number("forcing_phase", forcing_phase, "a finite number of rad")
     if turn and case.scene.frequency is None:

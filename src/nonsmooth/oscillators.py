@@ -9,7 +9,7 @@ import numpy as np
 from .solver.branches import Expansion, branch_case, every_branch
 from .solver.exact import ExactOrbit, exact_orbit
 from .solver.family import family_case
-from .solver.scenes.case import Case
+from .solver.scenes.case import Case, check_case
 from .solver.scenes.methods import FIRST
 from .solver.scenes.parameter_error import is_number
 from .solver.solve import solve_case, with_order
@@ -105,7 +105,7 @@ def solve(
     >>> print(f"{ns.solve(belt, method='c1', order=7).t1:.6f} s")
     0.200007 s
     """
-    _check(case)
+    check_case(case)
     functions = _whole(functions)
     if phases is not None:
         if motion is not None:
@@ -169,7 +169,7 @@ def sweep(
     c0-tau      4      3.490658504   8.84e-04   2.87e-02   8.8e-04
     c0-tau      8      3.490658504   1.97e-09   7.97e-05   2.0e-09
     """
-    _check(case)
+    check_case(case)
     named = methods
     if not (methods is None or isinstance(methods, str)):
         named = _several("methods", methods, "names of methods")
@@ -226,7 +226,7 @@ def family(
     >>> orbits["period"].round(6)
     array([0.806889, 0.671239, 0.635589])
     """
-    _check(case)
+    check_case(case)
     try:
         if np.iscomplexobj(values):
             raise TypeError
@@ -296,7 +296,7 @@ def branch(
     >>> [row.stable for row in response if 1.14 < row.value < 1.23].count(False) > 0
     True
     """
-    _check(case)
+    check_case(case)
     near = start if isinstance(start, ExactOrbit) else getattr(start, "exact", None)
     if near is None and start is not None:
         raise ValueError(f"start: got {start!r:.80}, expected an orbit near an exact one")
@@ -326,7 +326,7 @@ def branches(
     TypeError, ValueError, NoOrbit
         See `branch`.
     """
-    _check(case)
+    check_case(case)
     return every_branch(case, parameter, *_range(first, last), progress)
 
 
@@ -368,7 +368,7 @@ def exact(case: Case) -> "ExactOrbit":
     >>> print(f"{ns.exact(ns.scene('impact')()).forcing_phase:.10f} rad")
     0.9296439860 rad
     """
-    _check(case)
+    check_case(case)
     return exact_orbit(case)
 
 
@@ -389,15 +389,3 @@ def _several(name: str, values: object, what: str) -> list[Any]:
     if not found:
         raise ValueError(f"{name}: got {values!r:.80}, expected {what} in a sequence")
     return found
-
-
-def _check(case: object) -> None:
-    """Check that an oscillator is one.
-
-    Raises
-    ------
-    TypeError
-        If it is not.
-    """
-    if not isinstance(case, Case):
-        raise TypeError(f"case: got {case!r:.80}, expected a case of ns.scene(...)")

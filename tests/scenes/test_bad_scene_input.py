@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from refusals import refused
 
@@ -51,6 +52,12 @@ def test_cycles_that_cannot_be(name, cycles, words):
     with pytest.raises(ParameterError) as caught:
         registry.load(name)(cycles=cycles)
     assert str(caught.value).startswith(words)
+
+
+def test_whole_numbers_of_numpy_are_cycles() -> None:
+    case = registry.load("impact")(cycles=np.int64(2))
+    assert case == registry.load("impact")(cycles=2)
+    assert type(case.cycles) is int
 
 
 @pytest.mark.parametrize(

@@ -6,32 +6,21 @@ The digest is of what the text says and not of the text: another order of keys, 
 
 import hashlib
 import json
-import math
 import warnings
 from collections.abc import Mapping
 from numbers import Integral
 from pathlib import Path
 from typing import Any
 
-from .file_errors import FileError, FileWarning, damaged
+from nonsmooth.solver.presentation.documents import SCHEMA, finite
 
-#: Version of what is in the files; a file with a higher one is from a newer program.
-SCHEMA = 2
+from .file_errors import FileError, FileWarning, damaged
 
 #: The key of the digest, and that of the rows, which are digested one by one.
 DIGEST, ROWS = "sha256", "rows"
 
 #: Whole numbers above are not all numbers of float64.
 MOST_EXACT = 2**53
-
-
-def finite(value: Any) -> Any:
-    """Return `value` with null for numbers that JSON has no word for."""
-    if isinstance(value, dict):
-        return {key: finite(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [finite(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def as_json(document: dict[str, Any]) -> str:

@@ -14,13 +14,14 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from nonsmooth.solver.presentation.documents import SCHEMA
 from nonsmooth.solver.presentation.frames import dataset
 from nonsmooth.solver.presentation.table import Table
 
 from .checks import SAME, check
 from .documents import document_of, same_of_all
 from .file_errors import damaged, other_kind, refused
-from .json_text import SCHEMA, check_schema, sealed
+from .json_text import check_schema, sealed
 
 #: The variable that holds the document.
 DOCUMENT = "document"
