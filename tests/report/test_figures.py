@@ -199,6 +199,14 @@ def test_a_method_without_an_orbit_is_said_to_have_none() -> None:
     assert set(expected).isdisjoint(orders.tolist())
 
 
+def test_a_method_looks_the_same_in_all_figures() -> None:
+    expected = {NAMES[method]: look["color"] for method, look in STYLES.items()}
+    for name in ("fig-3", "fig-4", "fig-5", "fig-6"):
+        found = legend(report_axes(name))
+        assert expected.keys() & found.keys()
+        assert all(found[q].get_color() == expected[q] for q in expected.keys() & found.keys())
+
+
 def test_methods_are_told_apart_without_colours() -> None:
     for name in ("marker", "linestyle"):
         assert len({str(style[name]) for style in STYLES.values()}) == len(METHODS)

@@ -108,11 +108,12 @@ def accelerations(methods: tuple[str, ...], order: int) -> Callable[[Any, Case],
     def draw(axes: Any, case: Case) -> None:
         draw_motion(case.exact, axes, "acceleration", linewidth=1.6)
         for method in methods:
+            look = curve(STYLES[method])
             if case.has(method, order):
-                orbit = case.orbit(method, order)
-                draw_motion(orbit, axes, "acceleration", label=NAMES[method])
+                look["label"] = NAMES[method]
+                draw_motion(case.orbit(method, order), axes, "acceleration", **look)
             else:
-                axes.plot([], [], label=f"{NAMES[method]}: no orbit", **curve(STYLES[method]))
+                axes.plot([], [], label=f"{NAMES[method]}: no orbit", **look)
         axes.set(xlim=(0, 1))
         legend(axes, 2)
 
