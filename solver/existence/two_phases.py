@@ -34,8 +34,8 @@ SHORTEST, LONGER = 1e-10, 3.0
 #: Most intervals that are doubtful and tried all the same; halvings of each.
 DOUBTFUL, HALVINGS = 6, 40
 
-#: What is rounding of the equation.
-ROUNDING = 1e-11
+#: What is rounding of the equation; of determinants that vanish.
+ROUNDING, NOTHING = 1e-11, 1e-14
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ def solutions(cell: Cell) -> Solutions:
         few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
         both = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
         doubtful = _starts(cell, *both)
-        return Solutions(found, doubtful, roots.complete)
+        return Solutions(found, doubtful, roots.complete and not _shorter(cell).any())
 
 
 def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
@@ -110,6 +110,8 @@ def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
 def vanishing(cell: Cell) -> list[Phase]:
     """Return the phases that last no time in a limit which satisfies the equations to rounding.
 
+    Or in a solution: those that are shorter there than is looked at.
+
     Examples
     --------
     >>> from nonsmooth.solver.kernels import registry
@@ -121,7 +123,20 @@ def vanishing(cell: Cell) -> list[Phase]:
     with np.errstate(all="ignore"):
         D, P, Q = _determinants(cell, ends)[:, :, 0]
     near = np.abs(np.abs(D) - np.hypot(P, Q)) <= ROUNDING * np.abs(D)
+    near |= _shorter(cell)
     return [phase for phase, satisfied in zip(cell.phases, near, strict=True) if satisfied]
+
+
+def _shorter(cell: Cell) -> Vector:
+    """Return of each phase whether it is shorter in a solution than is looked at.
+
+    The equation has another sign there than where the phase lasts no time.
+    """
+    first = cell.duration * np.array([[0, SHORTEST], [1, 1 - SHORTEST]])
+    with np.errstate(all="ignore"):
+        D, P, Q = _determinants(cell, first)
+    off = np.abs(D) - np.hypot(P, Q)
+    return np.asarray((off[:, 0] * off[:, 1] < 0) & (np.abs(off[:, 0]) > NOTHING))
 
 
 def _edges() -> Vector:

@@ -6,6 +6,9 @@ from ..arrays import Vector
 from ..scenes.cell import Form
 from .motion import Motion
 
+#: Distance of two forms, as a part of their size, that is rounding.
+EQUAL = 1e-13
+
 
 def value(orbit: Motion, p: int, form: Form, u: Vector) -> Vector:
     """Return a linear form in the state, at local times of a phase.
@@ -39,4 +42,5 @@ def vanishes_by_event(orbit: Motion, p: int, form: Form) -> bool:
     if not event.any() or not demand.any():
         return False
     demand, event = demand / np.linalg.norm(demand), event / np.linalg.norm(event)
-    return bool(1 - abs(demand @ event) <= 1e-12)
+    apart = min(np.linalg.norm(demand - event), np.linalg.norm(demand + event))
+    return bool(apart <= EQUAL)

@@ -212,6 +212,22 @@ def test_a_load_that_touches_the_static_limit_has_no_roots_of_rounding(values):
     assert caught.value.status == "not-converged"
 
 
+def test_a_phase_shorter_than_is_looked_at_is_not_shown_to_be_none():
+    case = BACKLASH(gap=1e-11)  # whose play is crossed in 2e-11 s
+    assert [phase.name for phase in two_phases.vanishing(case.cell)] == ["loose"]
+    with pytest.raises(ns.NoOrbit, match="as loose lasts no time they hold to") as caught:
+        ns.exact(case)
+    assert caught.value.status == "not-converged"
+    assert ns.exact(BACKLASH(gap=1e-9)).phases[1].duration == pytest.approx(1.8385054e-9)
+
+
+def test_limits_that_nearly_meet_are_two():
+    """The element yields either way at nearly the same displacement of a large motion."""
+    for part in (1e-2, 1e-3):
+        elastic = ns.exact(PLASTIC(yield_force=part**2 * 1e-4)).phases[0].duration
+        assert elastic == pytest.approx(0.0167185 * part, rel=1e-5)
+
+
 @pytest.mark.parametrize(
     ("force", "count"), [(0.3 + 1e-7, 1), (0.3 + 1e-9, 1), (0.3 - 1e-9, 0), (0.3 - 1e-11, 0)]
 )
