@@ -17,8 +17,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..flow.exact_system import exact_kernel, unknowns_of
 from ..kernels import registry
+from ..orbit.condition import moved_times
 from ..orbit.errors import Errors, difference
 from ..orbit.motion import Motion
 from ..orbit.solution import Solution, attempt
@@ -108,10 +108,8 @@ def _same(change: Errors) -> bool:
 def condition(motion: Motion) -> float:
     """Return Skeel's condition number of the exact equations, near one of their solutions.
 
-    ``|J^-1| |J| |z|`` with the Jacobian J at the unknowns z, of the time that answers most, as
-    a part of the period: if each term is rounded by a part e, no time moves by more than e
-    times this.  It does not depend on the units of conditions and unknowns, and is infinite
-    where J is singular.
+    That of the time that answers most, as a part of the period: if each term is rounded by a
+    part e, no time moves by more than e times this; see `moved_times`.
 
     Examples
     --------
@@ -120,19 +118,7 @@ def condition(motion: Motion) -> float:
     >>> round(condition(exact_orbit(registry.load("impact")())), 1)
     5.3
     """
-    cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
-    z = unknowns_of(motion)
-    z = kernel.times(z) if kernel.condensed else z
-    J = np.empty((len(z), len(z)))
-    kernel.jacobian(cell, z, J)
-    J /= np.abs(J).max(axis=1, keepdims=True)
-    sizes = np.abs(z)
-    if cell.forced:
-        sizes[-1] = max(1.0, sizes[-1])  # a cosine is rounded at a small angle too
-    try:
-        moved = kernel.times(np.abs(np.linalg.inv(J)) @ np.abs(J) @ sizes)
-    except np.linalg.LinAlgError:
-        return math.inf
+    cell, moved = motion.case.cell, moved_times(motion)
     if cell.forced:
         moved[-1] /= cell.omega
     return float(moved.max() / np.sum(motion.cell_durations)) / cell.cells

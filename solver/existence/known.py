@@ -16,6 +16,7 @@ import numpy as np
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
+from ..orbit.admissible import undetermined
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.bodies.cell import BodyCell
@@ -94,6 +95,7 @@ def known(case: Case) -> Known:
             orbits.append(orbit)
         elif start in scan.found:
             complete = False
+    complete = complete and not any(map(undetermined, orbits))
     return replace(_sorted(orbits, complete), listed=True)
 
 

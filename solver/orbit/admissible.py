@@ -14,6 +14,7 @@ import numpy as np
 from ..scenes.cell import Form
 from ..simulation.followers import not_followed
 from . import chebyshev
+from .condition import moved_times
 from .crossings import met_before
 from .forms import scale_of, value, value_at, vanishes_by_event
 from .motion import LOOK, Motion, OrbitPhase
@@ -24,6 +25,16 @@ ROUNDING = 1e-9
 #: Shortest phase, as a part of the cell.  A phase that shrinks to nothing solves the equations
 #: of many scenes, and is found at the size of rounding errors, of either sign.
 SHORTEST = 1e-10
+
+#: Duration, as a part of the cell, of a phase of which rounding may be no small part.
+SHORT = 1e-6
+
+#: Most that a number is off, once rounded, as a part of it.
+ROUNDOFF = float(np.finfo(float).eps) / 2
+
+#: Bound of what rounding makes of a duration, as a part of it, beyond which nothing of it is
+#: known: some of what the bound counts is exact.
+UNKNOWN = 1.3
 
 #: Mean velocity in a held phase, as a part of that at which it is held.  An expansion of low
 #: order shortens such a phase; nothing but a spurious root makes it much longer.
@@ -65,6 +76,8 @@ def violations(
     ]
     if found or not np.isfinite(durations).all():
         return tuple(found) or ("the durations are not finite",)
+    if undetermined(orbit):
+        return undetermined(orbit)
     if unmet:
         found += _unmet(orbit, unmet)
         allowed = _with_unmet(orbit, allowed, unmet)
@@ -77,6 +90,20 @@ def violations(
         if not any(vanishes_by_event(orbit, p, form) for _, form in phase.demands):
             found += _too_late(orbit, p, allowed)
     return tuple(found) or not_followed(orbit) or _repeated(orbit)
+
+
+def undetermined(orbit: Motion) -> tuple[str, ...]:
+    """Return of which phases rounding of the exact equations may be the whole duration."""
+    durations, unit = orbit.cell_durations, orbit.case.units.time
+    if orbit.case.scene.has_body or durations.min() > SHORT * durations.sum():
+        return ()
+    with np.errstate(all="ignore"):
+        moved = ROUNDOFF * moved_times(orbit)
+    return tuple(
+        f"{phase.name} lasts {s * unit:.6g} s, and rounding may be as much"
+        for phase, s, off in zip(orbit.cell.phases, durations, moved, strict=False)
+        if not off < UNKNOWN * s
+    )
 
 
 def is_seen_violated(orbit: Motion) -> bool:

@@ -135,6 +135,16 @@ def test_a_solution_is_no_orbit_where_the_exact_one_next_to_it_is_none():
     assert "wrong direction" in why
 
 
+@pytest.mark.parametrize("drop", [0.0, 1e-10, 1e-9])
+def test_a_stick_that_may_be_all_rounding_is_none(drop):
+    """It was found, and found stable, where the slip alone fills the period."""
+    case = registry.load("stick-slip")(mu_s=0.25 + drop)
+    with pytest.raises(NoOrbit, match="and rounding may be as much"):
+        exact_orbit(case)
+    with pytest.raises(NoOrbit):
+        solve_case(case, "hb", 12)
+
+
 def test_of_two_orbits_the_stable_one_is_returned_and_the_other_named():
     case = IMPACT(
         mass=0.022676366, damping=0.20214459, stiffness=95.458992, force=77046612000,
