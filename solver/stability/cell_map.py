@@ -16,6 +16,9 @@ from ...generated.ck import E_COS, E_X, FREE, MEMORY, RHO, F
 from ..arrays import Integers, Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
 
+#: Rounding of an acceleration, as a part of its terms, over `stability.ROUNDING` of products.
+OF_SUMS = 1e-3
+
 #: States of so many parts are looked at for what dies out; what is nothing beside 1.
 MANY, DIED = 16, 1e-17
 
@@ -72,6 +75,7 @@ def cell_map(
         x, v = z[2 * q], z[2 * q + 1]
         behind[0] = sign * (v if kinds[q, FREE] != 0 else numbers[q, F])
         behind[1] = sign * (f + g * cos(theta[q]) - c * v - k * x) / m
+        pull = (abs(f) + abs(g) + abs(c * v) + abs(k * x)) / m
         for i in range(more):
             own = cell[0] if p < setting[i] else 1.0
             for j in range(2):
@@ -85,12 +89,17 @@ def cell_map(
         m, c, k, f, g = phase_numbers(case, z, p)
         force = (abs(f) + abs(g) + abs(c) * speed + abs(k) * abs(z[2 * p])) / m
         scale = abs(gradient[0]) * speed + abs(gradient[1]) * force
+        terms = np.zeros(2 + more)  # of which what is left may be little
+        terms[1] = OF_SUMS * (abs(numbers[p, RHO]) * force + pull)
         scale += abs(numbers[p, E_COS]) * cell[1]
         crossed[p] = abs(approach) / scale if scale > 0 else 0.0
         jump += behind - np.dot(across, before)
         across += np.outer(jump, gradient) / approach
-        found = np.dot(across, np.dot(along, found))
-        size = np.dot(np.abs(across), np.dot(np.abs(along), size)) / min(1.0, crossed[p])
+        found = np.dot(along, found)
+        size = np.dot(np.abs(across), np.dot(np.abs(along), size))
+        size += np.outer(terms, np.dot(np.abs(gradient), np.abs(found))) / abs(approach)
+        size /= min(1.0, crossed[p])
+        found = np.dot(across, found)
     return found, size, crossed
 
 

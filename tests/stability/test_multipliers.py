@@ -322,6 +322,13 @@ def test_a_motion_that_remembers_is_followed_with_what_it_remembers(hardening: f
     assert orbit.multipliers.sum() == pytest.approx(expected.sum(), abs=1e-6)
 
 
+def test_of_a_stop_too_stiff_for_float64_it_is_not_told_whether_it_is_stable() -> None:
+    stiff = ns.exact(CLEARANCE(contact_stiffness=1e12)).stability
+    assert stiff.stable
+    assert stiff.margin == pytest.approx(1 - math.hypot(0.23522, 0.57011), abs=1e-4)
+    assert ns.exact(CLEARANCE(contact_stiffness=1e18)).stable is None
+
+
 def test_words_name_each_pair_once_and_say_where_an_orbit_is_not_isolated() -> None:
     """Without damping a sliding mass has a continuum of orbits at half its frequency."""
     plastic = in_words(ns.exact(ns.scene("elastic-plastic")()))
