@@ -316,7 +316,8 @@ def _in_order(cell: Cell, repeated: tuple[Segment, ...], cycles: int) -> Other |
     It begins with the first of them that the scene has, as it is and not mirrored if it can.
     """
     steps = tuple(q.step for q in repeated if q.step is not None)
-    if len(steps) < len(repeated):
+    set_by = {memory.phase for memory in cell.memory}
+    if len(steps) < len(repeated) or not set_by <= {step.phase for step in steps}:
         return None
     turned = [steps[i:] + steps[:i] for i in range(len(steps))]
     turns = [i for i, each in enumerate(turned) if each == min(turned)]

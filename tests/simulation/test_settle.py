@@ -276,6 +276,11 @@ def test_a_phase_that_is_said_to_last_has_no_event(count: int) -> None:
     assert shown > count / 10
 
 
+def test_an_order_without_the_phase_that_sets_a_memory_is_none() -> None:
+    with pytest.raises(NoOrbit, match="no admissible exact orbit was found"):
+        ns.exact(ns.scene("elastic-plastic")(yield_force=1e-3, force=1e12))
+
+
 def test_whether_a_phase_lasts_is_decided_at_the_edge() -> None:
     """Without damping, a mass at rest swings to twice the mean; no farther, and no less."""
     phase = made([(1, 0, 1, 1, 0)], [(1, 0, 0, -9)], omega=1)().cell.phases[0]
