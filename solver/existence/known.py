@@ -16,7 +16,7 @@ import numpy as np
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
-from ..orbit.admissible import undetermined
+from ..orbit.admissible import Undecided, is_seen_violated
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.bodies.cell import BodyCell
@@ -81,9 +81,9 @@ def known(case: Case) -> Known:
         return replace(_sorted(found, bodies.complete(cell)), listed=bodies.listed(cell))
     if one_phase.applies(cell):
         closed = one_phase.solutions(cell)
-        infinite = not (closed.none or closed.found)
         found = [_of_state(case, q) for q in closed.found]
-        return replace(_sorted(found, not infinite), infinite=infinite, listed=True)
+        complete = closed.none or bool(found)
+        return replace(_sorted(found, complete), infinite=closed.infinite, listed=True)
     if not two_phases.applies(cell):
         return Known()
     scan = two_phases.solutions(cell)
@@ -95,7 +95,6 @@ def known(case: Case) -> Known:
             orbits.append(orbit)
         elif start in scan.found:
             complete = False
-    complete = complete and not any(map(undetermined, orbits))
     return replace(_sorted(orbits, complete), listed=True)
 
 
@@ -128,7 +127,14 @@ def _sorted(found: Iterable[ExactOrbit], complete: bool) -> Known:
     found = list(found)
     orbits = tuple(stable_first(q for q in found if q.admissible))
     refused = tuple(q for q in found if not q.admissible)
-    return Known(orbits, refused, complete)
+    return Known(orbits, refused, complete and all(map(_is_none, refused)))
+
+
+def _is_none(solution: ExactOrbit) -> bool:
+    """Whether a solution that is refused is shown not to be an orbit."""
+    if is_seen_violated(solution):
+        return True
+    return any(not isinstance(why, Undecided) for why in solution.violations)
 
 
 def _apart(orbit: ExactOrbit, durations: tuple[float, ...], angle: float) -> float:

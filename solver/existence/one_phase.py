@@ -7,7 +7,7 @@ where the rows depend on each other, none or infinitely many: no search is neede
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,16 +18,21 @@ from .two_phases import rows
 #: What is rounding of singular values, and of residuals, as a part of the largest.
 ROUNDING = 1e-11
 
+#: Size of a solution that is none, over that of the motion.
+FAR = 1e12
+
 
 @dataclass(frozen=True)
 class Solutions:
     """Displacement and velocity where the phase starts, and the phase of the forcing.
 
-    Without units; `found` is empty if there are infinitely many, or shown to be `none`.
+    Without units; `found` is empty if there are infinitely many, shown to be `none`, or neither
+    can be told.
     """
 
     found: tuple[tuple[float, float, float], ...]
     none: bool
+    infinite: bool = False
 
 
 def applies(cell: Cell) -> bool:
@@ -47,17 +52,32 @@ def solutions(cell: Cell) -> Solutions:
     """
     with np.errstate(all="ignore"):
         A, b = (part[0] for part in rows(cell, np.array([[cell.duration]])))
-    sizes = np.abs(A).max(axis=1) + np.abs(b)
+    length, rate = _units(cell)
+    A = A * [length, length * rate, 1.0, 1.0]
+    sizes = np.abs(A).max(axis=1)
     sizes[sizes == 0] = 1.0
     A, b = A / sizes[:, None], b / sizes
-    _, singular, directions = np.linalg.svd(A)
-    rank = int(np.sum(singular > ROUNDING))
-    particular = np.linalg.lstsq(A, b, rcond=ROUNDING)[0]
-    if np.abs(A @ particular - b).max() > ROUNDING:
-        return Solutions((), none=True)
+    direction = np.linalg.svd(A)[2][-1]
+    particular, _, rank, singular = np.linalg.lstsq(A, b, rcond=ROUNDING)
+    left, size = (float(np.abs(each).max()) for each in (A @ particular - b, b))
+    if left > ROUNDING * size:  # a solution is as large as this is over what was neglected
+        none = rank < len(b) and left > FAR * singular[rank] * max(1.0, size)
+        return Solutions((), none)
     if rank < len(b):
-        return Solutions((), none=False)
-    return _on_the_circle(particular, directions[-1])
+        return Solutions((), none=False, infinite=True)
+    found = _on_the_circle(particular, direction)
+    states = tuple((length * x, length * rate * v, angle) for x, v, angle in found.found)
+    return replace(found, found=states)
+
+
+def _units(cell: Cell) -> tuple[float, float]:
+    """Return a displacement of the size of the motion, and a rate of its changes.
+
+    What is rounding of the rows is seen in these units, however stiff or slow the phase is.
+    """
+    phase, omega = cell.phases[0], cell.omega
+    stiffness = max(phase.k, phase.c * omega, phase.m * omega**2)
+    return (abs(phase.g) or 1.0) / stiffness, max(omega, math.sqrt(abs(phase.k) / phase.m))
 
 
 def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
@@ -65,7 +85,8 @@ def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
     p, n = point[2:], direction[2:]
     a, half, c = float(n @ n), float(p @ n), float(p @ p) - 1.0
     if a <= ROUNDING**2:
-        return Solutions((), none=abs(c) > ROUNDING)
+        none = abs(c) > ROUNDING * (1.0 + float(p @ p))
+        return Solutions((), none, infinite=not none)
     square = half * half - a * c
     if square < -ROUNDING * (half * half + abs(a * c)):
         return Solutions((), none=True)

@@ -74,13 +74,14 @@ def solutions(cell: Cell) -> Solutions:
     with np.errstate(all="ignore"):
         try:
             roots = enclosure.roots(determinants, cell.duration * _edges())
+            complete = roots.complete and not _shorter(cell).any()
         except (np.linalg.LinAlgError, FloatingPointError):
             return Solutions((), (), complete=False)
         found = _starts(cell, roots.places, roots.signs)
         few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
         both = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
         doubtful = _starts(cell, *both)
-        return Solutions(found, doubtful, roots.complete and not _shorter(cell).any())
+        return Solutions(found, doubtful, complete)
 
 
 def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
@@ -121,9 +122,12 @@ def vanishing(cell: Cell) -> list[Phase]:
     """
     ends = cell.duration * np.array([[SHORTEST], [1 - SHORTEST]])
     with np.errstate(all="ignore"):
-        D, P, Q = _determinants(cell, ends)[:, :, 0]
-    near = np.abs(np.abs(D) - np.hypot(P, Q)) <= ROUNDING * np.abs(D)
-    near |= _shorter(cell)
+        try:
+            D, P, Q = _determinants(cell, ends)[:, :, 0]
+            near = np.abs(np.abs(D) - np.hypot(P, Q)) <= ROUNDING * np.abs(D)
+            near |= _shorter(cell)
+        except FloatingPointError:
+            return []
     return [phase for phase, satisfied in zip(cell.phases, near, strict=True) if satisfied]
 
 

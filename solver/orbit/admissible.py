@@ -49,6 +49,12 @@ SAME = 1e-6
 Allowance = Callable[[int, Form], float]
 
 
+class Undecided(str):
+    """Why it cannot be told in float64 whether a solution is an orbit: it is not returned."""
+
+    __slots__ = ()
+
+
 def only_rounding(p: int, form: Form) -> float:
     """Allow rounding errors."""
     return ROUNDING
@@ -76,8 +82,9 @@ def violations(
     ]
     if found or not np.isfinite(durations).all():
         return tuple(found) or ("the durations are not finite",)
-    if undetermined(orbit):
-        return undetermined(orbit)
+    undetermined = _undetermined(orbit)
+    if undetermined:
+        return undetermined
     if unmet:
         found += _unmet(orbit, unmet)
         allowed = _with_unmet(orbit, allowed, unmet)
@@ -92,7 +99,7 @@ def violations(
     return tuple(found) or not_followed(orbit) or _repeated(orbit)
 
 
-def undetermined(orbit: Motion) -> tuple[str, ...]:
+def _undetermined(orbit: Motion) -> tuple[str, ...]:
     """Return of which phases rounding of the exact equations may be the whole duration."""
     durations, unit = orbit.cell_durations, orbit.case.units.time
     if orbit.case.scene.has_body or durations.min() > SHORT * durations.sum():
@@ -100,7 +107,7 @@ def undetermined(orbit: Motion) -> tuple[str, ...]:
     with np.errstate(all="ignore"):
         moved = ROUNDOFF * moved_times(orbit)
     return tuple(
-        f"{phase.name} lasts {s * unit:.6g} s, and rounding may be as much"
+        Undecided(f"{phase.name} lasts {s * unit:.6g} s, and rounding may be as much")
         for phase, s, off in zip(orbit.cell.phases, durations, moved, strict=False)
         if not off < UNKNOWN * s
     )
@@ -218,13 +225,11 @@ def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -
     phase, scale = orbit.cell.phases[p], scale_of(orbit, p, form)
     along = partial(value, orbit, p, form)
     if not np.isfinite(scale):
-        return [f"in {phase.name}, where {words}: the motion is not finite"]
+        return [Undecided(f"in {phase.name}, where {words}: the motion is not finite")]
     parts = chebyshev.pieces(along, scale)
     if not all(part.resolved for part in parts):
-        return [
-            f"in {phase.name}, where {words}: the motion has more waves than can be followed, "
-            "or is smaller than rounding"
-        ]
+        why = "the motion has more waves than can be followed, or is smaller than rounding"
+        return [Undecided(f"in {phase.name}, where {words}: {why}")]
     points = chebyshev.candidates(parts)
     values = along(points)
     worst = int(np.argmin(values))

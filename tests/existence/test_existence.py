@@ -10,6 +10,7 @@ from made_scenes import made
 
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import one_phase
+from nonsmooth.solver.existence.known import known
 from nonsmooth.solver.existence.reasons import not_decided, shown_to_be_none, without_switches
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.in_order import cases_in_order
@@ -172,3 +173,19 @@ def test_a_message_has_the_first_starts_and_the_last_and_says_how_many_more() ->
     assert str(finding) == words + "start 97; start 98; start 99"
     assert finding.in_full == "; ".join(("none was found", *tried))
     assert str(NoOrbit("none", False, tried[:7])) == "; ".join(("none", *tried[:7]))
+
+
+@pytest.mark.parametrize(
+    ("values", "angles", "count"),
+    [
+        ({"stiffness": 1e-12, "gap": -1e6}, [3.0860931791, 6.2276877712], 1),
+        ({"mass": 1e-12, "damping": 0}, [1.4706276361, 4.812555132], 0),
+        ({"frequency": 1e-6, "damping": 1e-9}, [1.4706289056, 4.8125564015], 0),
+    ],
+)
+def test_solutions_are_told_however_far_the_motion_is_from_its_units(values, angles, count):
+    """Of the first none was said to exist, of the others infinitely many; by 60 digits."""
+    found = known(IMPACT(**values))
+    both = sorted(each.forcing_phase for each in (*found.orbits, *found.refused))
+    np.testing.assert_allclose(both, angles, rtol=0, atol=1e-8)
+    assert (len(found.orbits), found.infinite) == (count, False)

@@ -221,6 +221,13 @@ def test_a_phase_shorter_than_is_looked_at_is_not_shown_to_be_none():
     assert ns.exact(BACKLASH(gap=1e-9)).phases[1].duration == pytest.approx(1.8385054e-9)
 
 
+def test_a_solution_that_cannot_be_followed_is_not_shown_to_be_none():
+    """It was refused as not finite, and with it all orbits."""
+    with pytest.raises(ns.NoOrbit, match="motion is not finite") as caught:
+        ns.exact(PLASTIC(frequency=1e-6, mass=1e-12))
+    assert caught.value.status == "not-converged"
+
+
 def test_limits_that_nearly_meet_are_two():
     """The element yields either way at nearly the same displacement of a large motion."""
     for part in (1e-2, 1e-3):
