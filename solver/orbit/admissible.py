@@ -11,6 +11,7 @@ from functools import partial
 
 import numpy as np
 
+from ..arrays import Vector
 from ..scenes.cell import Form
 from ..simulation.followers import not_followed
 from . import chebyshev
@@ -21,6 +22,9 @@ from .motion import LOOK, Motion, OrbitPhase
 
 #: What a demand may be below 0, as a part of its scale, where rounding is all that is off.
 ROUNDING = 1e-9
+
+#: The same, as a part of the terms of which it is the sum, for one mass.
+OF_TERMS = 1e-13
 
 #: Shortest phase, as a part of the cell.  A phase that shrinks to nothing solves the equations
 #: of many scenes, and is found at the size of rounding errors, of either sign.
@@ -234,7 +238,9 @@ def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -
     values = along(points)
     worst = int(np.argmin(values))
     below = -float(values[worst])
-    if below > ROUNDING * scale and below > allowed(p, form) * scale:
+    if below > _least(orbit, scale, values) and (
+        allowed is only_rounding or below > allowed(p, form) * scale
+    ):
         where = _state(orbit, p, float(points[worst]))
         return [
             f"in {phase.name}, not true that {words}: by {below / scale:.3g} of "
@@ -248,6 +254,16 @@ def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -
                 "its event is crossed in the wrong direction"
             ]
     return []
+
+
+def _least(orbit: Motion, scale: float, values: Vector) -> float:
+    """Return what a demand may be below 0 at least, by its scale and its values on a phase.
+
+    Where it is the small difference of large terms, it is measured by itself.
+    """
+    if orbit.case.scene.has_body:
+        return ROUNDING * scale
+    return max(ROUNDING * float(np.abs(values).max()), OF_TERMS * scale)
 
 
 def _state(orbit: Motion, p: int, u: float) -> str:

@@ -11,7 +11,7 @@ from numpy.polynomial import Polynomial
 from nonsmooth.solver import exact, solve
 from nonsmooth.solver.exact import exact_orbit, from_times
 from nonsmooth.solver.existence import one_phase
-from nonsmooth.solver.existence.known import Known
+from nonsmooth.solver.existence.known import Known, known
 from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.kernels import registry
@@ -133,6 +133,15 @@ def test_a_solution_is_no_orbit_where_the_exact_one_next_to_it_is_none():
     (why,) = found.violations
     assert "the exact solution next to it" in why
     assert "wrong direction" in why
+
+
+def test_a_demand_is_measured_by_itself_where_it_is_little_of_its_terms():
+    """A limit was passed again and again on the way, by 1e-12 of the displacement."""
+    stiff = registry.load("elastic-plastic")(stiffness=1e12, hardening=0.64)
+    with pytest.raises(NoOrbit):
+        solve_case(stiff, "ck-tau", 10)
+    far = known(IMPACT(stiffness=1e-12, gap=-1e9))  # of which one passes the stop by 0.3 m
+    assert (len(far.orbits), len(far.refused)) == (1, 1)
 
 
 @pytest.mark.parametrize("drop", [0.0, 1e-10, 1e-9])
