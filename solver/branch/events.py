@@ -63,7 +63,7 @@ def events_in(
         If something is not located.
     """
     start, end = before.gauges, after.gauges
-    watched = len(start) - OWN
+    watched, passed = len(start) - OWN, piece.durations(after.y).min() < 0
     found: list[tuple[float, Found | None]] = [*_edges(piece, before, after, length)]
     found += _watched(piece, before, after, length)
     changes = [at for at, event in found if event is not None and event.changes]
@@ -77,7 +77,15 @@ def events_in(
             real += located(piece, before, after, length, i)
     if own:
         found += turning(piece, before, after, length, [at for at, _ in real])
-    return found + real
+    kept = [each for each in found + real if each[1] is None or _is_within(each[1])]
+    if passed and len(kept) < len(found + real):  # the end of the range is on the way to that
+        raise NoStepError
+    return kept
+
+
+def _is_within(event: Found) -> bool:
+    """Whether something happens within the range of the parameter, which a step may leave."""
+    return abs(float(event.place.y[-1])) <= 1 + SAME
 
 
 def _watched(

@@ -374,3 +374,11 @@ def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
         in_turn([(0.15, None), *found])
     with pytest.raises(NoStepError):
         in_turn([(0.3, None), (0.1, fold)])
+
+
+@pytest.mark.parametrize("least", [1e-4, 1e-6])
+def test_what_happens_just_beyond_the_range_is_no_event(least):
+    """Where the element never is elastic, at no yield force, a branch ended at -1e-16 N."""
+    branch = ns.branch(ns.scene("elastic-plastic")(), "yield_force", least, 1)
+    assert branch.events == ()
+    assert branch.why_it_ended == ("the end of the range", "the end of the range")
