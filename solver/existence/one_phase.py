@@ -83,7 +83,10 @@ def _units(cell: Cell) -> tuple[float, float]:
 def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
     """Return where the line of solutions of the rows meets ``C^2 + S^2 = 1``."""
     p, n = point[2:], direction[2:]
-    a, half, c = float(n @ n), float(p @ n), float(p @ p) - 1.0
+    with np.errstate(all="ignore"):
+        a, half, c = float(n @ n), float(p @ n), float(p @ p) - 1.0
+    if not math.isfinite(half * half - a * c):
+        return Solutions((), none=False)
     if a <= ROUNDING**2:
         none = abs(c) > ROUNDING * (1.0 + float(p @ p))
         return Solutions((), none, infinite=not none)
