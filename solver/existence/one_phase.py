@@ -82,13 +82,11 @@ def _units(cell: Cell) -> tuple[float, float]:
 
 def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
     """Return where the line of solutions of the rows meets ``C^2 + S^2 = 1``."""
-    p, n = point[2:], direction[2:]
-    with np.errstate(all="ignore"):
-        a, half, c = float(n @ n), float(p @ n), float(p @ p) - 1.0
-    if not math.isfinite(half * half - a * c):
-        return Solutions((), none=False)
+    size = max(1.0, math.hypot(*point[2:]))  # its square may be beyond float64
+    p, n, one = point[2:] / size, direction[2:], (1.0 / size) ** 2
+    a, half, c = float(n @ n), float(p @ n), float(p @ p) - one
     if a <= ROUNDING**2:
-        none = abs(c) > ROUNDING * (1.0 + float(p @ p))
+        none = abs(c) > ROUNDING * (one + float(p @ p))
         return Solutions((), none, infinite=not none)
     square = half * half - a * c
     if square < -ROUNDING * (half * half + abs(a * c)):
@@ -96,6 +94,6 @@ def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
     root = math.sqrt(max(square, 0.0))
     large = -(half + math.copysign(root, half))
     at = (large / a, c / large if large else 0.0)
-    ends = [point + q * direction for q in sorted(at)]
+    ends = [point + size * q * direction for q in sorted(at)]
     found = tuple((float(u[0]), float(u[1]), math.atan2(u[3], u[2])) for u in ends)
     return Solutions(found, none=False)
