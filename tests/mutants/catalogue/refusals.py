@@ -97,8 +97,8 @@ MUTANTS = (
     Mutant(
         "infinitely many solutions are taken for none",
         "solver/existence/known.py",
-        "infinite = not (closed.none or closed.found)",
-        "infinite = False",
+        "complete = closed.none or bool(found)",
+        "complete = True",
         NONE,
     ),
     Mutant(
