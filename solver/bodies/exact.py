@@ -163,6 +163,19 @@ def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     return _with_length(cell, times, found.events, found.events_by, found)
 
 
+def left_open(cell: "BodyCell", times: Vector) -> float:
+    """Return how far from closed a cell is at times of its events, as a part of its states.
+
+    Switches shift ways that closing does not see: there is no orbit where that is no rounding.
+    """
+    starts, part = evaluated(cell, times).starts, parts_of(cell)[-1]
+    theta, s = angles_of(cell, times), float(times[len(cell.phases) - 1])
+    along, by_wave = phase_map(part, s)
+    X = along @ starts[-1] + by_wave @ wave(theta[-2])
+    X = part.switch.state @ X + part.switch.inputs @ wave(theta[-1])
+    return float(np.abs(cell.sign * X - starts[0]).max() / (np.abs(starts).max() or 1.0))
+
+
 def _turns(cell: "BodyCell", count: int, width: int) -> Matrix:
     """Return how the angles where phases begin, and the last ends, move with the times."""
     found = np.zeros((count + 1, width))

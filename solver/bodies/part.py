@@ -14,7 +14,7 @@ from .switch import Switch, fixed, switch
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
-#: Change of a mode over a cell below which closing the cell does not say where it is.
+#: Change of a state over a cell below which closing the cell does not say how large it is.
 RETURNING = 1e-7
 
 
@@ -54,46 +54,45 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     """
     laws = [lawful(cell, p) for p in range(len(cell.phases))]
     switches = [switch(cell, p, own.rows) for p, own in enumerate(laws)]
-    closing = fixed(switches, shifts(cell))
+    closing = fixed(switches, *shifts(cell))
     return tuple(map(Part, laws, switches, closing, [cell.omega] * len(laws)))
 
 
-def shifts(cell: "BodyCell") -> Matrix:
-    """Return the ways to shift ``X = (y, memory)`` that no phase and no switch sees.
+def shifts(cell: "BodyCell") -> tuple[Matrix, Matrix]:
+    """Return the ways to shift ``X = (y, memory)`` that closing the cell does not see.
 
-    They are columns; `switch.fixed` says what for.
+    They are columns, where a phase ends and behind its switch; `switch.fixed` says what for.
+    Of one phase under a forcing, whose duration is known, they are what returns.  Of others
+    they are of a body that moves freely, where no phase and no switch sees them.
     """
+    if cell.forced and len(cell.phases) == 1:
+        return _returning(cell)
     count = 2 * len(cell.body.squares)
-    returning = _returning(cell)
     is_free = cell.sign > 0 and bool((cell.body.squares == 0).any())
     found = np.empty((count + len(cell.memory), 0))
-    for p in range(len(cell.phases) if is_free or returning.size else 0):
+    for p in range(len(cell.phases) if is_free else 0):
         own = lawful(cell, p)
-        kept = np.hstack([own.still, returning]) if is_free else returning
         if p == 0:
-            found = np.vstack([kept, np.zeros((len(cell.memory), kept.shape[1]))])
-        beside = found[:count] - kept @ np.linalg.pinv(kept) @ found[:count]
+            found = np.vstack([own.still, np.zeros((len(cell.memory), own.still.shape[1]))])
+        beside = found[:count] - own.still @ np.linalg.pinv(own.still) @ found[:count]
         seen = np.vstack([beside, switch(cell, p, own.rows).state @ found - found])
         _, values, turns = np.linalg.svd(seen)
         found = found @ turns[(values > HELD * np.abs(found).max(initial=1.0)).sum() :].T
-    return found
+    return found, found
 
 
-def _returning(cell: "BodyCell") -> Matrix:
-    """Return the states of undamped modes that repeat themselves with the forcing, by column.
+def _returning(cell: "BodyCell") -> tuple[Matrix, Matrix]:
+    """Return the states that one phase of known duration and its switch bring back.
 
-    One phase brings them back where no law sees them; several turn them on in between, and
-    their switches see them.
+    So where the end of the phase is; behind the switch, what no state leaves when it is taken
+    from what it comes back to.
     """
-    count, found = len(cell.body.squares), np.zeros((2 * len(cell.body.squares), 0))
-    if len(cell.phases) > 1 or not cell.forced:
-        return found
-    w = np.sqrt(np.abs(cell.body.squares))
-    changes = np.abs(1 - cell.sign * np.exp(1j * w * cell.duration))
-    undamped = ~cell.body.damping.any(axis=0) & (w > 0)
-    unseen = ~lawful(cell, 0).force[:, : 2 * count].reshape(-1, 2, count).any(axis=(0, 1))
-    which = np.flatnonzero((changes <= RETURNING) & undamped & unseen)
-    return np.eye(2 * count)[:, np.concatenate([which, count + which])]
+    own = lawful(cell, 0)
+    across = switch(cell, 0, own.rows)
+    along, _ = phase_map(Part(own, across, across, cell.omega), cell.duration)
+    left, values, turns = np.linalg.svd(np.eye(len(along)) - cell.sign * across.state @ along)
+    last = int((values > RETURNING).sum())
+    return along @ turns[last:].T, left[:, last:]
 
 
 def wave(angle: float) -> Vector:

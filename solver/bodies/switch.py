@@ -47,20 +47,20 @@ class Switch:
         """The event's factors of cos, sin, 1."""
         return self.event[self.states : self.states + 3]
 
-    def fixing(self, ways: Matrix) -> "Switch":
+    def fixing(self, before: Matrix, after: Matrix) -> "Switch":
         """Return the switch that shifts the state as well, to where its event happens.
 
         Parameters
         ----------
-        ways : ndarray, shape (n, f)
-            Ways to shift it.
+        before, after : ndarray, shape (n, f)
+            Ways to shift it: what the event sees of them, and what is shifted.
         """
-        shift = ways @ np.linalg.pinv((self.gradient @ ways)[None])
+        shift = after @ np.linalg.pinv((self.gradient @ before)[None])
         state = self.state - shift @ self.gradient[None]
         return replace(self, state=state, inputs=self.inputs - shift @ self.waves[None])
 
 
-def fixed(switches: Sequence[Switch], ways: Matrix) -> list[Switch]:
+def fixed(switches: Sequence[Switch], before: Matrix, after: Matrix) -> list[Switch]:
     """Return the switches of a cell, which fix places that nothing else fixes.
 
     At given durations nothing says where a ball is that moves freely between impacts.  Each
@@ -70,14 +70,15 @@ def fixed(switches: Sequence[Switch], ways: Matrix) -> list[Switch]:
     Parameters
     ----------
     switches : sequence of Switch
-    ways : ndarray, shape (n, f)
-        Ways to shift the state that nothing sees but the events; there may be none.
+    before, after : ndarray, shape (n, f)
+        Ways to shift the state, where a phase ends and behind its switch, that nothing sees but
+        the events; there may be none.
     """
-    if not ways.size:
+    if not before.size:
         return list(switches)
-    _, values, turns = np.linalg.svd(np.array([q.gradient for q in switches]) @ ways)
-    unseen = ways @ turns[(values > UNSEEN * np.abs(ways).max()).sum() :].T
-    *found, last = (q.fixing(ways) for q in switches)
+    _, values, turns = np.linalg.svd(np.array([q.gradient for q in switches]) @ before)
+    unseen = after @ turns[(values > UNSEEN * np.abs(before).max()).sum() :].T
+    *found, last = (q.fixing(before, after) for q in switches)
     onto = np.eye(len(unseen)) - unseen @ np.linalg.pinv(unseen)
     return [*found, replace(last, state=onto @ last.state, inputs=onto @ last.inputs)]
 

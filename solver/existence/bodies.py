@@ -9,7 +9,7 @@ Of more phases the linear response of the slow modes leads to one solution, in a
 the time of the starts all around.  These follow where it is no stable orbit.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -18,7 +18,7 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
-from ..bodies.part import parts_of
+from ..bodies.part import later, parts_of, phase_map
 from ..kernels.start import RoughTimes, rough_times
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
@@ -26,6 +26,7 @@ from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..simulation import homotopy
 from ..stability.stability import is_stable
+from .one_phase import ROUNDING, on_the_circle
 
 #: Modes that are scanned with: so many, and all below so many times the forcing's frequency.
 SLOW, BELOW = 6, 6.0
@@ -51,8 +52,12 @@ SPLIT = 17
 #: Differences of times, as parts of the cell, below which two solutions are one.
 SAME = 1e-7
 
-#: What an event without units sees, as a part of its factors, where it sees nothing.
-NOTHING = 1e-12
+#: At how many times of one phase its size is seen; and the turn of a pole over it from which
+#: on rounding grows with that.
+FEW, FAST = 8, 1e3
+
+#: How far Newton's method may lead from a solution in closed form, as a part of the cell.
+NEAR = 1e-6
 
 
 def solutions(case: Case) -> Iterator[ExactOrbit]:
@@ -71,15 +76,18 @@ def solutions(case: Case) -> Iterator[ExactOrbit]:
             return
 
 
-def complete(cell: BodyCell) -> bool:
-    """Whether all solutions of a cell are listed: those of one phase under a forcing.
+def complete(cell: BodyCell, found: Sequence[ExactOrbit]) -> bool:
+    """Whether all solutions of a cell are found: those of one phase under a forcing.
 
-    In a resonance its event may say nothing of the phase: then there are infinitely many.
+    In a resonance closing and event may not fix its state: then there are infinitely many.
     """
     if not cell.forced or len(cell.phases) > 1:
         return False
-    event = np.abs(parts_of(cell)[0].closing.event).max()
-    return not np.abs(_of_one_phase(cell)).max() <= NOTHING * event
+    angles, are_all = _of_one_phase(cell)
+    length = (cell.duration,)
+    return are_all and all(
+        any(times_apart(q, length, angle) <= NEAR for q in found) for angle in angles
+    )
 
 
 def listed(cell: BodyCell) -> bool:
@@ -87,10 +95,38 @@ def listed(cell: BodyCell) -> bool:
     return cell.forced and len(cell.phases) <= 2
 
 
-def _of_one_phase(cell: BodyCell) -> Vector:
-    """Return the event of a cell of one phase by cos, sin, 1 of the phase of the forcing."""
-    found: Vector = events_by_wave(cell, np.array([cell.duration]))[0]
-    return found
+def _of_one_phase(cell: BodyCell) -> tuple[list[float], bool]:
+    """Return at which phases of the forcing a cell of one phase closes and ends by its event.
+
+    These are linear conditions on its state, cos and sin.  Also whether the angles are all, and
+    the state at each is one.
+    """
+    (part,), here = parts_of(cell), later(cell.omega * cell.duration)
+    ways = phase_map(part, cell.duration * np.linspace(0, 1, FEW + 1)[1:])
+    along, by_wave = (q[-1] for q in ways)
+    size, sign = len(along), cell.sign
+    across, inputs = sign * part.switch.state, sign * part.switch.inputs @ here
+    closing = np.hstack([across @ along - np.eye(size), across @ by_wave + inputs])
+    gradient, waves = part.switch.gradient, part.switch.waves
+    event = np.hstack([gradient @ along, gradient @ by_wave + waves @ here])
+    if not (np.isfinite(closing).all() and np.isfinite(event).all()):
+        return [], False
+    added = np.abs(ways[1]).max() or 1.0  # states are in this unit
+    closing[:, size:] /= added
+    event[:size] *= added
+    rows = np.vstack([closing, event / (np.abs(event).max() or 1.0)])
+    A, b = rows[:, :-1], -rows[:, -1]
+    rounding = ROUNDING * max(1.0, float(np.abs(part.flow.poles).max()) * cell.duration / FAST)
+    point = np.linalg.lstsq(A, b, rcond=rounding)[0]
+    if np.abs(A @ point - b).max() > rounding * max(1.0, np.abs(point).max()):
+        return [], True
+    _, singular, turns = np.linalg.svd(A)
+    left = turns[int((singular > rounding).sum()) :]
+    _, sizes, lines = np.linalg.svd(left[:, -2:])
+    if len(left) > 1 and sizes[1] > rounding:
+        return [], False
+    line = on_the_circle(point[-2:], sizes[0] * lines[0])
+    return [q[-1] for q in line.found], len(left) == 1
 
 
 def slow(cell: BodyCell) -> BodyCell:
@@ -122,7 +158,7 @@ def _starts(cell: BodyCell) -> Iterator[RoughTimes]:
         yield from [by_response] if by_response else []
         yield from rough_times(cell)
     elif len(cell.phases) == 1:
-        for angle in _angles(*_of_one_phase(cell)):
+        for angle in _of_one_phase(cell)[0]:
             yield RoughTimes((cell.duration,), angle, "the closed form")
     else:
         yield from _scanned(cell)

@@ -78,7 +78,7 @@ def known(case: Case) -> Known:
         if isinstance(case.scene, OrderedScene) and not bodies.listed(cell):
             return Known()
         found = list(bodies.solutions(case))
-        return replace(_sorted(found, bodies.complete(cell)), listed=bodies.listed(cell))
+        return replace(_sorted(found, bodies.complete(cell, found)), listed=bodies.listed(cell))
     if one_phase.applies(cell):
         closed = one_phase.solutions(cell)
         found = [_of_state(case, q) for q in closed.found]

@@ -65,7 +65,7 @@ def solutions(cell: Cell) -> Solutions:
         return Solutions((), none)
     if rank < len(b):
         return Solutions((), none=False, infinite=True)
-    found = _on_the_circle(particular, direction)
+    found = on_the_circle(particular, direction)
     states = tuple((length * x, length * rate * v, angle) for x, v, angle in found.found)
     return replace(found, found=states)
 
@@ -80,10 +80,10 @@ def _units(cell: Cell) -> tuple[float, float]:
     return (abs(phase.g) or 1.0) / stiffness, max(omega, math.sqrt(abs(phase.k) / phase.m))
 
 
-def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
+def on_the_circle(point: Vector, direction: Vector) -> Solutions:
     """Return where the line of solutions of the rows meets ``C^2 + S^2 = 1``."""
-    size = max(1.0, math.hypot(*point[2:]))  # its square may be beyond float64
-    p, n, one = point[2:] / size, direction[2:], (1.0 / size) ** 2
+    size = max(1.0, math.hypot(*point[-2:]))  # its square may be beyond float64
+    p, n, one = point[-2:] / size, direction[-2:], (1.0 / size) ** 2
     a, half, c = float(n @ n), float(p @ n), float(p @ p) - one
     if a <= ROUNDING**2:
         none = abs(c) > ROUNDING * (one + float(p @ p))
@@ -95,5 +95,5 @@ def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
     large = -(half + math.copysign(root, half))
     at = (large / a, c / large if large else 0.0)
     ends = [point + size * q * direction for q in sorted(at)]
-    found = tuple((float(u[0]), float(u[1]), math.atan2(u[3], u[2])) for u in ends)
+    found = tuple((float(u[0]), float(u[1]), math.atan2(u[-1], u[-2])) for u in ends)
     return Solutions(found, none=False)

@@ -6,7 +6,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from ..arrays import Vector
-from ..bodies.exact import magnitudes
+from ..bodies.exact import left_open, magnitudes
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome, newton
 from ..kernels.kernel import Kernel
@@ -23,6 +23,9 @@ NOISE = 256 * float(np.finfo(float).eps)
 #: Differences of times, as a part of the largest, of the same solution of a body; of any one,
 #: those that are rounding.
 SAME, EQUAL = 1e-11, 1e-13
+
+#: How far from closed a body may be, as a part of its states.
+CLOSED = 1e-8
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -60,6 +63,11 @@ class ExactOrbit(Shown):
     @cached_property
     def violations(self) -> tuple[str, ...]:
         """What keeps the solution from being an orbit, in words."""
+        cell = self.case.cell
+        if isinstance(cell, BodyCell) and self.outcome.converged:
+            apart = left_open(cell, self.times)
+            if not apart <= CLOSED:
+                return (f"it does not close: by {apart:.3g} of its size",)
         return admissible.violations(self)
 
     @cached_property

@@ -279,3 +279,39 @@ def test_rounding_over_rounding_is_no_orbit(frequency: float, words: str) -> Non
     for case in mass_before_a_stop(gap=0.3, frequency=frequency, restitution=1.0):
         with pytest.raises(ns.NoOrbit, match=words):
             ns.exact(case)
+
+
+@pytest.mark.parametrize("frequency", [1.2, 1.5, 1.8])
+def test_a_motion_without_loss_is_that_of_one_mass(frequency: float) -> None:
+    """Its period alone says nothing of its size: closing is singular at any frequency."""
+    body, mass = mass_before_a_stop(gap=0.3, frequency=frequency, restitution=1.0)
+    found, expected = ns.exact(body), ns.exact(mass)
+    assert np.exp(1j * found.forcing_phase) == pytest.approx(
+        np.exp(1j * expected.forcing_phase), abs=1e-13
+    )
+    assert found.phases[0].velocity == pytest.approx(expected.phases[0].velocity, rel=1e-12)
+    assert ns.solve(body, "ck-tau", 16).errors.times < 1e-13
+
+
+@pytest.mark.parametrize("frequency", [0.8, 2.5])
+def test_without_loss_what_is_refused_is_told(frequency: float) -> None:
+    for case in mass_before_a_stop(gap=0.3, frequency=frequency, restitution=1.0):
+        with pytest.raises(ns.NoOrbit, match="these 2 solutions only"):
+            ns.exact(case)
+
+
+@pytest.mark.parametrize("half", [True, False])
+def test_two_modes_that_repeat_themselves_with_the_forcing_grow(half: bool) -> None:
+    """One event does not hold both: without a law that does, nothing closes."""
+    turn, squares = np.array([[0.8, -0.6], [0.6, 0.8]]), [1.0, 9.0 if half else 4.0]
+    body = Body(
+        M=np.eye(2), K=turn @ np.diag(squares) @ turn.T, forcing=[0.3, 0.8], at={"end": [0, 1]}
+    )
+    x, v, force = body.at["end"].x, body.at["end"].v, body.at["end"].force
+    flight = Phase("flight", force, Event(x - g, jump={v: -r * v}), {"before": g - x})
+    numbers = (("gap", g, "m", 0.3), ("frequency", Omega, "rad/s", 1.0),
+               ("restitution", r, "", 0.7))  # fmt: skip
+    own = Scene("two", "", tuple(Parameter(*q, "") for q in numbers), (flight,),
+                frequency=Omega, body=body, half_period=half)  # fmt: skip
+    with pytest.raises(ns.NoOrbit, match="was found"):
+        ns.exact(ns.scene(own)())

@@ -150,7 +150,7 @@ def layout(cell: "BodyCell", order: int, least: float = RESONANT) -> Layout:
         unbounded.
     """
     poles = poles_of(cell.body, cell.omega)
-    if _change(cell, poles) <= least:
+    if _change(cell, poles) <= least or shifts(cell)[0].size:
         poles = poles_of(cell.body, cell.omega, hold=True)
         if _change(cell, poles) <= RESONANT:
             raise BodyError(
@@ -293,7 +293,7 @@ def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
 
     On an orbit they are 0; see `Switch.fixing`.
     """
-    found, ways = np.zeros(poles.b.shape[1]), shifts(cell)
+    found, ways = np.zeros(poles.b.shape[1]), shifts(cell)[0]
     if ways.size and poles.held is not None:
         rows = lawful(cell, p).rows
         event = switch(cell, p, rows).gradient @ ways

@@ -40,7 +40,7 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
         flows.append(np.array(arb_mat((A * times[p]).tolist()).exp().tolist(), dtype=object))
         events.append(balls(cell.carrying(p).event) @ seen)
         switches.append(_switch(cell, p, free, seen[places(cell.body.at.shape[1])[1]]))
-    _fix(switches, events, shifts(cell)[:clock])
+    _fix(switches, events, *(q[:clock] for q in shifts(cell)))
     whole = balls(np.eye(len(flows[0])))
     for flow, switch in zip(flows, switches, strict=True):
         whole = switch @ (flow @ whole)
@@ -88,23 +88,23 @@ def _free(cell: "BodyCell", body: Body) -> Free:
     return Free(A, B, rows, by_force)
 
 
-def _fix(switches: list[Balls], events: list[Balls], ways: Matrix) -> None:
+def _fix(switches: list[Balls], events: list[Balls], before: Matrix, after: Matrix) -> None:
     """Let each switch shift the state to where its event happens: on an orbit not at all.
 
     No phase sees these ways to shift it, so that closing alone says nothing of them; those that
     no event sees either it leaves out.
     """
-    if not ways.size:
+    if not before.size:
         return
-    moved = balls(np.zeros((len(events[0]), ways.shape[1])))
-    moved[: len(ways)] = balls(ways)
-    by_event = np.array(events) @ moved
+    seen, moved = (balls(np.zeros((len(events[0]), before.shape[1]))) for _ in range(2))
+    seen[: len(before)], moved[: len(after)] = balls(before), balls(after)
+    by_event = np.array(events) @ seen
     for p, own in enumerate(by_event):
         if any(q != 0 for q in own):
             shift = moved @ own / (own @ own)
             switches[p] = switches[p] - shift[:, None] * events[p]
     _, sizes, turns = np.linalg.svd(by_event.astype(float))
-    unseen = moved @ balls(turns[(sizes > UNSEEN * np.abs(ways).max()).sum() :].T)
+    unseen = moved @ balls(turns[(sizes > UNSEEN * np.abs(before).max()).sum() :].T)
     if unseen.size:
         along = solved(unseen.T @ unseen, unseen.T @ switches[-1])
         switches[-1] = switches[-1] - unseen @ along
