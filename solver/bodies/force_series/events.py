@@ -93,7 +93,9 @@ def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
                 rows[:, p] += part * (Z[p, 0, k, c, :degrees, :degrees].copy() @ l)
                 rows[:, p] += part * response_rates(Z[p, 1, k, c], l)
             by[at + k : at + degrees * contacts : contacts] = rows
-            by[at + k] += case.fixing[p, k] * shifted[p]
+            by[at + k : at + min(degrees, 2) * contacts : contacts] += (
+                case.fixing[p, k] * shifted[p]
+            )
         for k in range(contacts if last else 0):
             q = case.hits[p, k]
             for c in range(contacts if q >= 0 else 0):

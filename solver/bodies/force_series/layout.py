@@ -6,21 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ...arrays import (
-    Complex,
-    Indices,
-    Integers,
-    Matrix,
-    Vector,
-)
-from ..laws import (
-    added,
-    law_matrix,
-    lawful,
-    places,
-)
+from ...arrays import Complex, Indices, Integers, Matrix, Vector
+from ..laws import added, law_matrix, lawful, places
 from ..modal import BodyError
-from ..part import shifts
+from ..part import parts_of, shifts
 from ..poles import Forms, Poles, poles_of
 from ..switch import impulses, switch
 
@@ -291,7 +280,8 @@ def _phase(cell: "BodyCell", poles: Poles, p: int, order: int) -> Phase:
 def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
     """Return contact forces by the event at the end of a phase, which fix places as springs do.
 
-    On an orbit they are 0; see `Switch.fixing`.
+    On an orbit they are 0; see `Switch.fixing`.  They are constant, and of the series linear
+    as well: against a motion that is as fast out as back a constant does no work.
     """
     found, ways = np.zeros(poles.b.shape[1]), shifts(cell)[0]
     if ways.size and poles.held is not None:
@@ -301,6 +291,19 @@ def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
         moved = places_ @ ways[: places_.shape[1]] @ np.linalg.pinv(event[None])
         found = poles.held.springs * moved[:, 0]
     return found
+
+
+def mean_fixes(cell: "BodyCell") -> bool:
+    """Whether constant contact forces fix what closing a cell does not see."""
+    _, ways = shifts(cell)
+    if not (ways.size and cell.forced and len(cell.phases) == 1):
+        return True
+    part, count = parts_of(cell)[0], len(cell.body.squares)
+    force = np.vstack([np.zeros_like(cell.body.at), cell.body.at])
+    along = part.flow.answered(part.flow.inverse @ force, 0.0, np.asarray(cell.duration))
+    answer = (part.flow.basis @ along).real
+    seen = ways.T @ part.switch.state[:, : 2 * count] @ answer
+    return bool(cell.sign > 0 and np.abs(seen).max() > RESONANT * np.abs(answer).max())
 
 
 def _pieces(order: int) -> tuple[int, int]:

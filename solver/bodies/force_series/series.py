@@ -172,8 +172,9 @@ def tested(
             case.turns[row] * wave * turn[p, :count]
         ).real
         right[at + k] -= case.rest[row, 0]
-        A[at + k] += case.fixing[p, k] * event
-        right[at + k] -= case.fixing[p, k] * constant
+        for row in range(at + k, at + min(count, 2) * contacts, contacts):  # see `_fixing`
+            A[row] += case.fixing[p, k] * event
+            right[row] -= case.fixing[p, k] * constant
 
 
 def linear(case: Any, times: Vector) -> Any:

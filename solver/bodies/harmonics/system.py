@@ -9,6 +9,7 @@ import numpy as np
 
 from ....generated import force_harmonics as formula
 from ...arrays import Complex, Indices, Matrix, Vector
+from ..layout import mean_fixes
 from ..poles import Forms
 from .frame import Frame, compliance, first_function, frame_of, integrals, of_real, values
 from .moving import Moving
@@ -154,6 +155,8 @@ def _fixing(frame: Frame) -> tuple[Indices, Matrix]:
 
 
 def _evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Evaluation:
+    if not mean_fixes(cell):
+        raise np.linalg.LinAlgError
     count = len(cell.phases)
     T = cell.duration if cell.forced else float(times[:count].sum())
     frame = frame_of(cell, order, functions, times, T)

@@ -54,7 +54,8 @@ def residual(given: Given, times: Any, R: Any) -> None:
         # what is 0 on an orbit, and says where it is
         (event,), (at_event,) = ends[p]
         fixing = balls(own.phases[p].fixing / np.diag(own.phases[p].direct))
-        for k, factor in enumerate(fixing * np.diag(forms[p].direct), at):
+        factors = [*(fixing * np.diag(forms[p].direct))] * min(own.phases[p].degree + 1, 2)
+        for k, factor in enumerate(factors, at):
             A[k], right[k] = A[k] + factor * event, right[k] - factor * at_event
     for place, (row, known) in enumerate(statements(cell, body, values), own.first_impulse):
         A[place], right[place] = -row, known
