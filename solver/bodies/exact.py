@@ -31,7 +31,7 @@ LOST = 1 / 32
 
 #: What a state may be, by what is added to it on the way round, at most: beyond, it is rounding
 #: over rounding, in a direction in which closing says nothing.
-ROUNDED = 1e12
+UNBOUNDED = 1e12
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,7 @@ def _closed(closed: Matrix, offset: Matrix) -> Matrix:
     except np.linalg.LinAlgError:
         return np.full(offset.shape, np.nan)
     sizes, added = (np.abs(q).max(axis=(-2, -1), keepdims=True) for q in (found, offset))
-    return np.where(sizes > ROUNDED * added, np.nan, found)
+    return np.where(sizes > UNBOUNDED * added, np.nan, found)
 
 
 def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:

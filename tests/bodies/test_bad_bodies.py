@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth.cli.problems import Problem, as_problems
 from nonsmooth.codegen.scene import Body, Event, Parameter, Phase, Scene, SceneError
 from nonsmooth.codegen.scenes import jenkins_absorber
 from nonsmooth.solver.scenes.parameter_error import ParameterError
@@ -113,3 +114,11 @@ def test_a_scene_of_ones_own_is_solved_and_kept(monkeypatch, tmp_path) -> None:
     assert again.folder == own.folder
     other = ns.scene(scene(M=2 * np.eye(2), K=1.001 * K, forcing=[50.0, 0.0]))
     assert other.folder != own.folder
+
+
+def test_a_phase_without_an_eigenbasis_is_a_problem_of_the_body() -> None:
+    """Its spring makes the damping critical: no option is wrong."""
+    own = scene(M=np.eye(1), K=np.eye(1), ratio=2.0, forcing=[1], at={"tip": [1]})
+    case = ns.scene(own)(spring=3.0, gap=0.05)
+    with pytest.raises(Problem, match=r"^body: two poles"), as_problems():
+        ns.exact(case)

@@ -93,6 +93,10 @@ def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[Non
     try:
         yield
     except ValueError as error:
+        from nonsmooth.solver.bodies.modal import BodyError
+
+        if isinstance(error, BodyError):  # what is wrong shows in its phases, not in an option
+            raise Problem(f"body: {error}") from error
         name, _, rest = str(error).partition(": ")
         raise Problem(f"--{names.get(name, name).replace('_', '-')}: {rest}") from error
 
