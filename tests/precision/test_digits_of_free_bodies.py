@@ -122,6 +122,14 @@ def test_the_force_series_of_a_held_body_converges_to_the_exact_equations(name: 
     assert max(apart) < 1e-20
 
 
+@pytest.mark.parametrize("method", ["exact", "ck-tau"])
+def test_a_motion_without_loss_begins_where_the_force_is_least(method: str) -> None:
+    """It is as fast out as back, so that it is its own mirror image in time."""
+    without_loss = ns.scene("chain-impact")(restitution=1, damping=0, frequency=0.9)
+    *_, angle = in_balls(without_loss, method, *((24,) if method == "ck-tau" else ()))
+    assert float(angle) == pytest.approx(np.pi, rel=0, abs=1e-12)
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_the_times_keep_their_digits(name: str) -> None:
     assert_kept(CASES[name]())

@@ -9,7 +9,7 @@ import numpy as np
 
 from ....generated import force_harmonics as formula
 from ...arrays import Complex, Indices, Matrix, Vector
-from ..layout import mean_fixes
+from ..force_series.layout import mean_fixes
 from ..poles import Forms
 from .frame import Frame, compliance, first_function, frame_of, integrals, of_real, values
 from .moving import Moving

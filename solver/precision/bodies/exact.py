@@ -9,7 +9,7 @@ import numpy as np
 from flint import acb, arb, arb_mat
 
 from ...arrays import Matrix
-from ...bodies.laws import places
+from ...bodies.laws import places, scales
 from ...bodies.part import shifts
 from ...bodies.switch import UNSEEN
 from .body import Balls, Body, balls, impulses, laws, solved
@@ -40,7 +40,8 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
         flows.append(np.array(arb_mat((A * times[p]).tolist()).exp().tolist(), dtype=object))
         events.append(balls(cell.carrying(p).event) @ seen)
         switches.append(_switch(cell, p, free, seen[places(cell.body.at.shape[1])[1]]))
-    _fix(switches, events, *(q[:clock] for q in shifts(cell)))
+    units = np.append(1 / scales(cell.body, cell.omega), np.ones(clock // 2))  # of places first
+    _fix(switches, events, *(q[:clock] * units[:, None] for q in shifts(cell)))
     whole = balls(np.eye(len(flows[0])))
     for flow, switch in zip(flows, switches, strict=True):
         whole = switch @ (flow @ whole)
