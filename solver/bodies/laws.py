@@ -106,6 +106,7 @@ def scales(body: Modal, omega: float) -> Vector:
     return np.hypot(own, omega or SLOWEST * float(own.max()))
 
 
+@lru_cache(maxsize=64)
 def added(body: Modal) -> Matrix:
     """Return what the contact forces add to what forms are of; shape (S, c)."""
     contacts = body.at.shape[1]

@@ -58,6 +58,7 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     return tuple(map(Part, laws, switches, closing, [cell.omega] * len(laws)))
 
 
+@lru_cache(maxsize=32)
 def shifts(cell: "BodyCell") -> tuple[Matrix, Matrix]:
     """Return the ways to shift ``X = (y, memory)`` that closing the cell does not see.
 
@@ -85,8 +86,14 @@ def _returning(cell: "BodyCell") -> tuple[Matrix, Matrix]:
     """Return the states that one phase of known duration and its switch bring back.
 
     So where the end of the phase is; behind the switch, what no state leaves when it is taken
-    from what it comes back to.
+    from what it comes back to.  Where every motion is damped there are none.
     """
+    body = cell.body
+    by_mode = (
+        np.diag(body.damping) if body.is_proportional else np.linalg.eigvalsh(body.damping)
+    )
+    if by_mode.min() * cell.duration > RETURNING:
+        return (np.empty((2 * len(body.squares) + len(cell.memory), 0)),) * 2
     own = lawful(cell, 0)
     across = switch(cell, 0, own.rows)
     along, _ = phase_map(Part(own, across, across, cell.omega), cell.duration)

@@ -231,7 +231,8 @@ def setting(cell: "BodyCell", order: int) -> Setting:
         own.velocity,
         own.setting,
     ]
-    rest = [np.column_stack([q.constant, q.memory]) for q in rows]
+    constants = np.concatenate([q.constant for q in rows])
+    memories = np.concatenate([q.memory for q in rows])
     hits = np.full((len(own.phases), own.poles.b.shape[1]), -1)
     width = len(own.phases) + cell.forced
     for p, phase in enumerate(own.phases):
@@ -241,7 +242,7 @@ def setting(cell: "BodyCell", order: int) -> Setting:
         np.ascontiguousarray(own.poles.b.T),
         np.concatenate([q.poles for q in rows]),
         np.concatenate([q.turn for q in rows]).astype(complex),
-        np.concatenate(rest).astype(float),
+        np.column_stack([constants, memories]).astype(float),
         np.array([phase.direct for phase in own.phases], dtype=float),
         np.array([phase.impulse for phase in own.phases], dtype=float),
         np.array([phase.fixing for phase in own.phases], dtype=float),

@@ -172,9 +172,9 @@ def tested(
             case.turns[row] * wave * turn[p, :count]
         ).real
         right[at + k] -= case.rest[row, 0]
-        for row in range(at + k, at + min(count, 2) * contacts, contacts):  # see `_fixing`
-            A[row] += case.fixing[p, k] * event
-            right[row] -= case.fixing[p, k] * constant
+        for q in range(at + k, at + min(count, 2) * contacts, contacts):  # see `layout._fixing`
+            A[q] += case.fixing[p, k] * event
+            right[q] -= case.fixing[p, k] * constant
 
 
 def linear(case: Any, times: Vector) -> Any:
