@@ -13,7 +13,7 @@ from ..scenes.case import Case
 from ..scenes.methods import EXACT, about, in_order
 from ..solve import number_of_functions, solve_case
 
-#: What some work returns.
+# What some work returns.
 Found = TypeVar("Found")
 
 #: Orders of a method whose errors fall by a power of the order, and by a factor with each.
