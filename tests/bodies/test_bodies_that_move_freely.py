@@ -13,6 +13,7 @@ import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver import chart, in_order
 from nonsmooth.solver import exact as solver_exact
+from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.charts import lines
 from nonsmooth.solver.kernels.compiling import Account
 from nonsmooth.solver.simulation.settle import from_several_states
@@ -279,6 +280,16 @@ def test_rounding_over_rounding_is_no_orbit(frequency: float, words: str) -> Non
     for case in mass_before_a_stop(gap=0.3, frequency=frequency, restitution=1.0):
         with pytest.raises(ns.NoOrbit, match=words):
             ns.exact(case)
+
+
+@pytest.mark.parametrize("frequency", [0.7, 1.6, 2.0])
+def test_nothing_is_said_of_times_at_which_closing_is_singular(frequency: float) -> None:
+    """Between two walls without loss, at equal durations: what is solved for is rounding."""
+    walls = scene("walls", sp.eye(1), sp.eye(1), [1], "walls", forcing=(1,), half=False)
+    cell = walls(force=1.0, frequency=frequency, restitution=1.0).cell
+    found = evaluated(cell, np.array([cell.duration / 2, cell.duration / 2, 0.4]))
+    assert np.isnan(found.residual[:2]).all()
+    assert np.isnan(found.starts).all()
 
 
 @pytest.mark.parametrize("frequency", [1.2, 1.5, 1.8])

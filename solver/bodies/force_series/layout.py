@@ -9,7 +9,7 @@ import numpy as np
 from ...arrays import Complex, Indices, Integers, Matrix, Vector
 from ..laws import added, law_matrix, lawful, places
 from ..modal import BodyError
-from ..part import parts_of, shifts
+from ..part import shifts
 from ..poles import Forms, Poles, poles_of
 from ..switch import impulses, switch
 
@@ -292,19 +292,6 @@ def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
         moved = places_ @ ways[: places_.shape[1]] @ np.linalg.pinv(event[None])
         found = poles.held.springs * moved[:, 0]
     return found
-
-
-def mean_fixes(cell: "BodyCell") -> bool:
-    """Whether constant contact forces fix what closing a cell does not see."""
-    _, ways = shifts(cell)
-    if not (ways.size and cell.forced and len(cell.phases) == 1):
-        return True
-    part, count = parts_of(cell)[0], len(cell.body.squares)
-    force = np.vstack([np.zeros_like(cell.body.at), cell.body.at])
-    along = part.flow.answered(part.flow.inverse @ force, 0.0, np.asarray(cell.duration))
-    answer = (part.flow.basis @ along).real
-    seen = ways.T @ part.switch.state[:, : 2 * count] @ answer
-    return bool(cell.sign > 0 and np.abs(seen).max() > RESONANT * np.abs(answer).max())
 
 
 def _pieces(order: int) -> tuple[int, int]:

@@ -9,13 +9,16 @@ import numpy as np
 
 from ....generated import force_harmonics as formula
 from ...arrays import Complex, Indices, Matrix, Vector
-from ..force_series.layout import mean_fixes
+from ..part import parts_of, shifts
 from ..poles import Forms
 from .frame import Frame, compliance, first_function, frame_of, integrals, of_real, values
 from .moving import Moving
 
 if TYPE_CHECKING:
     from ...scenes.bodies.cell import BodyCell
+
+#: What a constant force sees of its answer, as a part, where it fixes nothing.
+UNSEEN = 1e-7
 
 #: Step of the difference by the duration of the cell, where nothing forces: a part of it.
 STEP = 1e-5
@@ -154,8 +157,21 @@ def _fixing(frame: Frame) -> tuple[Indices, Matrix]:
     return mean, np.array(by_law).T[: len(mean)] / len(by_law)
 
 
+def _mean_fixes(cell: "BodyCell") -> bool:
+    """Whether constant contact forces fix what closing a cell does not see."""
+    _, ways = shifts(cell)
+    if not (ways.size and cell.forced and len(cell.phases) == 1):
+        return True
+    part, count = parts_of(cell)[0], len(cell.body.squares)
+    force = np.vstack([np.zeros_like(cell.body.at), cell.body.at])
+    along = part.flow.answered(part.flow.inverse @ force, 0.0, np.asarray(cell.duration))
+    answer = (part.flow.basis @ along).real
+    seen = ways.T @ part.switch.state[:, : 2 * count] @ answer
+    return bool(cell.sign > 0 and np.abs(seen).max() > UNSEEN * np.abs(answer).max())
+
+
 def _evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Evaluation:
-    if not mean_fixes(cell):
+    if not _mean_fixes(cell):
         raise np.linalg.LinAlgError
     count = len(cell.phases)
     T = cell.duration if cell.forced else float(times[:count].sum())
