@@ -13,7 +13,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "3ed2b8f18dfc322ba486f97d7a4a0e5285a9d715305a458f48005684717ceccb"  # of the closed forms, by srepr
-BODY = "82f2154140dcf551ae2ab9248c5c2583f0bdbb6a764838da583d1b1ff9c7da17"  # of the text below
+BODY = "7a3bf3e295420e9a0c923cafba47d5dcb9303283c2ff2432c6bcba9ce7d6a676"  # of the text below
 
 FREE = 0
 CLASS = 1
@@ -151,17 +151,17 @@ def moment_by_kappa(l):
 
 
 def spherical_bessel(x, j):
-    """Fill j with ``j_0(x), j_1(x), ...`` for ``x >= 0``, each to rounding.
+    """Fill j with ``j_0(x), j_1(x), ...``, each to rounding: of any x, as steps of times go.
 
-    Upwards as far as that is stable, up to ``n = x``; beyond, by the ratios of neighbours from
-    the continued fraction downwards.
+    Upwards as far as that is stable, up to ``n = |x|``; beyond, by the ratios of neighbours
+    from the continued fraction downwards.
     """
     count = len(j)
     if x == 0.0:
         j[:] = 0.0
         j[0] = 1.0
         return
-    turn = min(int(x), count - 1)
+    turn = int(abs(x)) if abs(x) < count - 1 else count - 1
     j[0] = sin(x) / x
     if turn >= 1:
         j[1] = (j[0] - cos(x)) / x
@@ -184,7 +184,7 @@ def spherical_bessel(x, j):
 
 
 def legendre_moments(kappa, theta, moments):
-    """Fill in the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+    """Fill in the moments of cosines with shifted Legendre polynomials.
 
     moments : ndarray, shape (2, count)
         ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "5d70d46feca7007bb8a37dc863bd63b8ada16ff8228f709bb156b05ff377cb3a"  # of the closed forms, by srepr
-BODY = "6a11bad43fc52f037a71457cee0f93f6d42f2e52df786823cef47e97e94255af"  # of the text below
+BODY = "d9e95416e5430e9d4a24e65efdaa4dc5a35307e388203851aa1aa315be32287f"  # of the text below
 
 FREE = 0
 CLASS = 1
@@ -119,17 +119,17 @@ def integral(l):
 
 
 def spherical_bessel(x, j):
-    """Fill j with ``j_0(x), j_1(x), ...`` for ``x >= 0``, each to rounding.
+    """Fill j with ``j_0(x), j_1(x), ...``, each to rounding: of any x, as steps of times go.
 
-    Upwards as far as that is stable, up to ``n = x``; beyond, by the ratios of neighbours from
-    the continued fraction downwards.
+    Upwards as far as that is stable, up to ``n = |x|``; beyond, by the ratios of neighbours
+    from the continued fraction downwards.
     """
     count = len(j)
     if x == 0.0:
         j[:] = 0.0
         j[0] = 1.0
         return
-    turn = min(int(x), count - 1)
+    turn = int(abs(x)) if abs(x) < count - 1 else count - 1
     j[0] = sin(x) / x
     if turn >= 1:
         j[1] = (j[0] - cos(x)) / x
@@ -152,7 +152,7 @@ def spherical_bessel(x, j):
 
 
 def legendre_moments(kappa, theta, moments):
-    """Fill in the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+    """Fill in the moments of cosines with shifted Legendre polynomials.
 
     moments : ndarray, shape (2, count)
         ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter

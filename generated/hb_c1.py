@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "22d699d8a8e76ea77df26c3908e7a3bf157242147f8e85d945818a19479d5140"  # of the closed forms, by srepr
-BODY = "cf39255834ebc63ab6614049e102b1b77c4c6131e6da9910f909a2c9b9332482"  # of the text below
+BODY = "78efc1b78aec21f75eed14e2f2dcd21145a7151795aaf548b4b5d402bfd075ea"  # of the text below
 
 CLASS = 1
 BESIDE = 2
@@ -147,17 +147,17 @@ def force_by(f, s_held, s_free):
 
 
 def spherical_bessel(x, j):
-    """Fill j with ``j_0(x), j_1(x), ...`` for ``x >= 0``, each to rounding.
+    """Fill j with ``j_0(x), j_1(x), ...``, each to rounding: of any x, as steps of times go.
 
-    Upwards as far as that is stable, up to ``n = x``; beyond, by the ratios of neighbours from
-    the continued fraction downwards.
+    Upwards as far as that is stable, up to ``n = |x|``; beyond, by the ratios of neighbours
+    from the continued fraction downwards.
     """
     count = len(j)
     if x == 0.0:
         j[:] = 0.0
         j[0] = 1.0
         return
-    turn = min(int(x), count - 1)
+    turn = int(abs(x)) if abs(x) < count - 1 else count - 1
     j[0] = sin(x) / x
     if turn >= 1:
         j[1] = (j[0] - cos(x)) / x
@@ -180,7 +180,7 @@ def spherical_bessel(x, j):
 
 
 def legendre_moments(kappa, theta, moments):
-    """Fill in the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+    """Fill in the moments of cosines with shifted Legendre polynomials.
 
     moments : ndarray, shape (2, count)
         ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter

@@ -47,23 +47,27 @@ def filled(count, x):
     return found
 
 
-@pytest.mark.parametrize("x", [*ARGUMENTS, *LARGE])
+@pytest.mark.parametrize("x", [*ARGUMENTS, *LARGE, -0.3, -4.4934, -61.2])
 def test_spherical_bessel_functions_keep_their_digits(x):
-    """Relative beyond the turn, n >= x; before it, where there are zeros, of the amplitude."""
-    expected, got = np.array(bessel(61, x)), filled(61, x)
-    amplitude = np.array([0.0 if n >= x else 1 / max(x, 1) for n in range(61)])
+    """Relative beyond the turn, n >= |x|; before it, where there are zeros, of the amplitude."""
+    expected, got, size = np.array(bessel(61, x)), filled(61, x), abs(x)
+    amplitude = np.array([0.0 if n >= size else 1 / max(size, 1) for n in range(61)])
     bound = np.maximum(2e-15 * np.maximum(np.abs(expected), amplitude), 1e-290)
     assert np.all(np.abs(got - expected) <= bound), np.max(np.abs(got - expected) / bound)
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 10, 301])
 def test_few_and_many_spherical_bessel_functions(count):
-    for x in (0.0, 0.3, 1.0, 8.8, 300.0):
+    for x in (0.0, 0.3, 1.0, 8.8, 300.0, -0.3, -8.8, -300.0):
         found = filled(count, x)
         np.testing.assert_allclose(found, bessel(count, x), rtol=1e-13, atol=1e-17)
 
 
-@pytest.mark.parametrize("kappa", [0.0, 1e-6, 0.3, 2.0, 17.0, 55.0])
+def test_spherical_bessel_functions_of_no_number_are_none():
+    assert np.isnan(filled(4, np.nan)).all()
+
+
+@pytest.mark.parametrize("kappa", [0.0, 1e-6, 0.3, 2.0, 17.0, 55.0, -0.3, -17.0])
 def test_legendre_moments_are_integrals(kappa):
     for theta in (0.0, 0.7, -4.0, 9.0):
         wave = np.cos(kappa * NODES + theta)

@@ -4,17 +4,17 @@ from math import cos, sin
 
 
 def spherical_bessel(x, j):
-    """Fill j with ``j_0(x), j_1(x), ...`` for ``x >= 0``, each to rounding.
+    """Fill j with ``j_0(x), j_1(x), ...``, each to rounding: of any x, as steps of times go.
 
-    Upwards as far as that is stable, up to ``n = x``; beyond, by the ratios of neighbours from
-    the continued fraction downwards.
+    Upwards as far as that is stable, up to ``n = |x|``; beyond, by the ratios of neighbours
+    from the continued fraction downwards.
     """
     count = len(j)
     if x == 0.0:
         j[:] = 0.0
         j[0] = 1.0
         return
-    turn = min(int(x), count - 1)
+    turn = int(abs(x)) if abs(x) < count - 1 else count - 1
     j[0] = sin(x) / x
     if turn >= 1:
         j[1] = (j[0] - cos(x)) / x
@@ -37,7 +37,7 @@ def spherical_bessel(x, j):
 
 
 def legendre_moments(kappa, theta, moments):
-    """Fill in the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+    """Fill in the moments of cosines with shifted Legendre polynomials.
 
     moments : ndarray, shape (2, count)
         ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
