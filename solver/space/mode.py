@@ -28,7 +28,7 @@ class Mode:
     Parameters
     ----------
     number : int
-        From 1, the lowest.
+        From 1, the lowest: that of the exact mode.
     eigenvalue : float
         ``lambda = beta^(2m)``.
     exact_beta : float

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from known import FELT, NAMES, attached
+from known import FELT, NAMES, SPRINGS, attached
 
 import nonsmooth as ns
 from nonsmooth.solver.space.attached import Attached
@@ -178,6 +178,38 @@ def test_no_root_is_missed_near_a_node() -> None:
         found = at_order(near, "ritz-ck", 16, 1, 8)
         assert [mode.number for mode in found] == list(range(1, 9))
         assert max(abs(mode.error) for mode in found) < 1e-2
+
+
+@pytest.mark.parametrize(
+    ("name", "position", "strength", "n"),
+    [
+        ("beam-rotational-spring", "1/2", -11.525276159820116, 1),
+        ("beam-spring", "1/4", 7952.45764097404, 4),
+    ],
+)
+@pytest.mark.parametrize(("method", "order", "forced"), [("ritz", 16, 0), ("ritz-ck", 8, 1)])
+def test_two_modes_of_one_frequency(
+    name: str, position: str, strength: float, n: int, method: str, order: int, forced: int
+) -> None:
+    """A root that meets one that feels nothing, in the middle of its bracket."""
+    one = attached(name, position, strength)
+    found = at_order(one, method, order, forced, n + 2)
+    both = [mode for mode in found if mode.exact_beta == pytest.approx(n * np.pi, rel=1e-14)]
+    assert len(both) == 2
+    x = np.array([0.1, 0.7])
+    for mode in both:
+        assert abs(mode.error) < 0.6  # sines alone are poor near the critical stiffness
+        apart = np.abs(mode.shape(x) - np.sqrt(2) * np.sin(n * np.pi * x)).max()
+        assert (apart < 1e-9) == (mode.node == n)
+
+
+@pytest.mark.parametrize("name", SPRINGS)
+@pytest.mark.parametrize("position", ["1/3", "3/10", "1/101"])
+def test_one_sine_alone(name: str, position: str) -> None:
+    """Its root is the very end of its bracket."""
+    one, first = attached(name, position, 1.0), np.array([1])
+    expected = one.bare(first) + one.felt(first) ** 2
+    assert at_order(one, "ritz", 1, 0, 1)[0].eigenvalue == pytest.approx(expected[0], rel=1e-14)
 
 
 def test_the_mismatch_of_a_jump_is_that_of_its_shape() -> None:

@@ -21,6 +21,7 @@ def bracketed(function: Callable[[Vector], Vector], end: Vector) -> Vector:
         Takes a point a root, shape (n,), and returns the values there: of different signs at
         0 and at the end; a value of 0 is a root.
     end : ndarray, shape (n,)
+        The root itself where rounding has left the sign there that is at 0.
 
     Notes
     -----
@@ -30,7 +31,7 @@ def bracketed(function: Callable[[Vector], Vector], end: Vector) -> Vector:
     a, b = end.copy(), np.zeros_like(end)
     fa, fb = function(a), function(b)
     t = np.full(a.shape, 0.5)
-    found, sought = np.where(np.abs(fa) < np.abs(fb), a, b), (fa != 0) & (fb != 0)
+    found, sought = np.where(fb == 0, b, a), np.sign(fa) * np.sign(fb) < 0
     for _ in range(STEPS):
         if not sought.any():
             break

@@ -9,6 +9,7 @@ nor one near a node costs digits.
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,7 +20,9 @@ from ..expansions.forced import ForcedModes
 from ..expansions.sums import left_out
 from ..position import Integers
 from .bracketing import EPS, bracketed
-from .secular import Roots
+
+if TYPE_CHECKING:
+    from .secular import Roots
 
 #: Near zero and near an end the closed form cancels.  There, up to this mode, it is a sum over
 #: so many modes beyond twice its number, and so many terms of a power series for the rest.
@@ -58,7 +61,7 @@ class ExactModes:
         """The eigenvalues less ``(n pi)^(2m)``, with all their digits."""
         return _shift(self.n, self.offset, self.attached.structure.m)
 
-    def error(self, roots: Roots, i: int) -> float:
+    def error(self, roots: "Roots", i: int) -> float:
         """Return the relative error of the `i`-th of some eigenvalues.
 
         Where both are near the same eigenvalue of the bare structure, by their shifts.
@@ -182,7 +185,7 @@ class _Equation:
         module = self.attached.structure.module
         a, b = float(self.attached.a), float(1 - self.attached.a)
         q = _Sines(self.attached, self.origin, offset)
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(all="ignore"):
             over = module.receptance_over_sine(beta, q.sin_a, q.cos_a, q.sin_b, q.cos_b)
             found = np.array(over / q.sin + module.receptance_rest(beta, a, b))
         if self.sums.size:

@@ -26,7 +26,9 @@ import numpy as np
 from ...arrays import Matrix, Vector
 from ..attached import Attached
 from ..expansions.bare import BareModes
+from ..position import Integers
 from .bracketing import EPS, bracketed
+from .exact import exact_modes
 
 #: Units of rounding by which each term, and each eigenvalue, may be off.
 ROUNDINGS = 4
@@ -34,7 +36,7 @@ ROUNDINGS = 4
 
 @dataclass(frozen=True)
 class Roots:
-    """Eigenvalues, the lowest first: ``origin + shift``; shape (n,) each.
+    """Eigenvalues, in the order of the exact ones: ``origin + shift``; shape (n,) each.
 
     The origin is the end of the bracket that is nearer, 0 or an eigenvalue of the bare
     structure.  `untouched` says which of the bare modes it is, where the attachment feels
@@ -66,8 +68,21 @@ def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
         np.append(np.full(len(origin), -1), kept),
         np.append(rounding, unit * bare.eigenvalues[kept] * bare.inexact[kept]),
     )
-    order = np.argsort(every.values, kind="stable")[:count]
+    order = _order(attached, every, kept, count)
     return Roots(*(field[order] for field in vars(every).values()))
+
+
+def _order(attached: Attached, every: Roots, kept: Integers, count: int) -> Integers:
+    """Return the order of eigenvalues, those that are `kept` behind the others.
+
+    That of the exact modes, for a root beside one that is kept may be on its other side.  The
+    lowest first where these are not so many of each kind.
+    """
+    exact, coupled = exact_modes(attached, count), len(every.values) - len(kept)
+    same, node = np.cumsum(exact.untouched == 0), exact.n - 1
+    if len(same) and same[-1] <= coupled and np.isin(node[exact.untouched], kept).all():
+        return np.where(exact.untouched, coupled + np.searchsorted(kept, node), same - 1)
+    return np.argsort(every.values, kind="stable")[:count]
 
 
 @dataclass(frozen=True)
