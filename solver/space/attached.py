@@ -210,9 +210,17 @@ def _extremes(found: Attached) -> list[str]:
     """Return what is beyond the range in which the digits are known."""
     errors = []
     with np.errstate(all="ignore"):
-        for what, value in (("strength", found.s), ("frequency", found.frequency_unit)):
+        length, order = np.float64(found.length), 2 * found.structure.m
+        units = {
+            "dimensionless strength": found.s,
+            "unit of frequency": found.frequency_unit,
+            "unit of the highest derivative": 1 / length**order,
+            "unit of the internal force": found.restoring / length ** (order - 1),
+            "mass": length * found.values["mass_per_length"],
+        }
+        for what, value in units.items():
             if not np.isfinite(value) or value == 0:
-                errors.append(f"their {what} is {value!r}, beyond float64")
+                errors.append(f"the {what} of these parameters is {value:g}, beyond float64")
     if not errors and not LEAST <= abs(found.s) <= MOST:
         name = found.structure.attached.name
         errors.append(

@@ -179,11 +179,11 @@ def convergence(
     ('-5', -5)
     """
     whole("mode", number)
-    rows = []
-    for line in lines:
-        for order in orders:
-            rows.append(_row(attached, line, check_order(line.method, order), number))
-            done(f"{line.name(attached)}, N = {order}")
+    orders, rows = tuple(orders), []
+    wanted = [(line, check_order(line.method, order)) for line in lines for order in orders]
+    for line, order in wanted:
+        rows.append(_row(attached, line, order, number))
+        done(f"{line.name(attached)}, N = {order}")
     return Convergence(attached, number, tuple(lines), tuple(rows))
 
 

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from ..arrays import Vector
 from ..presentation.table import Table, Tabular
+from ..scenes.parameter_error import whole
 from .attached import Attached
 from .expansions.shapes import Shape
 
@@ -125,12 +126,13 @@ class Mode:
         Raises
         ------
         ValueError
-            If a place is not on the structure.
+            If a place is not on the structure, or there is no such derivative.
         """
         places, length = np.asarray(x, dtype=float), self._attached.length
         if not ((places >= 0) & (places <= length)).all():
             raise ValueError(f"x: got {x!r:.60}, expected places from 0 to {length:g} m")
-        found = self._shape.values(np.atleast_1d(places) / length, derivative)
+        derivative = whole("derivative", derivative, 0, 2 * self._attached.structure.m)
+        found = self._shape.values(places.ravel() / length, derivative)
         return (found / length**derivative).reshape(places.shape)
 
     def normalised(self, x: npt.ArrayLike, derivative: int = 0) -> Vector:

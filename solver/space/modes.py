@@ -31,6 +31,9 @@ from .tolerance import to_tolerance
 #: Method, order and number of modes where nothing else is said.
 METHOD, ORDER, COUNT = "ritz-ck", 8, 6
 
+#: Most places of a table of shapes.
+MOST_POINTS = 1_000_000
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Modes(Tabular, Sequence[Mode]):
@@ -134,10 +137,9 @@ class Modes(Tabular, Sequence[Mode]):
         Parameters
         ----------
         points : int
-            From 2, else a ValueError; the ends are two of them.
+            From 2 to 1,000,000, else a ValueError; the ends are two of them.
         """
-        if whole("points", points) < 2:
-            raise ValueError(f"points: got {points}, expected a whole number from 2")
+        points = whole("points", points, 2, MOST_POINTS)
         return Shapes(self.attached, self._how, self.found, points)
 
     @property
@@ -231,11 +233,11 @@ def modes(
         raise ValueError(f"tol: got {tol!r} with order {order!r}, expected one of them")
     if not is_number(tol) or not 0 < tol < 1:
         raise ValueError(f"tol: got {tol!r}, expected a number above 0 and below 1")
-    wanted = COUNT if count is None else count
+    wanted, highest = whole("count", COUNT if count is None else count), HIGHEST[method]
     return to_tolerance(
         lambda order: at_order(attached, method, order, K, wanted),
         lambda found: max(_off(mode) for mode in found),
-        range(max(wanted, 2), HIGHEST[method] + 1),
+        range(min(max(wanted, 2), highest), highest + 1),
         float(tol),
         shown(attached.structure, method),
     )

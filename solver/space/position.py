@@ -1,6 +1,8 @@
 """The place of the attachment, exactly: a fraction of the length, and sines at it."""
 
+import math
 import numbers
+from decimal import Decimal
 from fractions import Fraction
 from typing import TypeAlias
 
@@ -13,12 +15,25 @@ from ..arrays import Vector
 Integers: TypeAlias = npt.NDArray[np.int_]
 
 
+def as_fraction(text: str) -> Fraction:
+    """Return a fraction or a decimal, exactly.
+
+    Raises
+    ------
+    ValueError, ZeroDivisionError, OverflowError
+        If it is neither, or too large for a float.
+    """
+    if "/" not in text and (rough := float(text)) in (0, math.inf):
+        return Fraction(rough)  # not with all the figures that an exponent can ask for
+    return Fraction(text.replace(" ", ""))
+
+
 def as_position(value: object) -> Fraction:
     """Return a place between the ends, as a part of the length, as the fraction that was meant.
 
     Parameters
     ----------
-    value : str, float or Fraction
+    value : str, float, Decimal or Fraction
         ``"3/10"``, ``"0.3"``, ``0.3`` and ``Fraction(3, 10)`` are the same; a float is the
         shortest decimal that rounds to it.
 
@@ -34,8 +49,8 @@ def as_position(value: object) -> Fraction:
     """
     expected = "expected a fraction or a decimal above 0 and below 1, such as 3/10"
     try:
-        if isinstance(value, str):
-            found = Fraction(value.replace(" ", ""))
+        if isinstance(value, str | Decimal):
+            found = as_fraction(str(value))
         elif isinstance(value, numbers.Rational):  # a bool, too, which is an end
             found = Fraction(value)
         elif isinstance(value, numbers.Real):

@@ -37,9 +37,7 @@ def to_tolerance(
         If none is within it.
     """
     last, order = None, 0
-    for each in TRIED:
-        if each > orders[-1]:
-            break
+    for each in (*(q for q in TRIED if q < orders[-1]), orders[-1]):
         try:
             found = at_order(each)
         except ValueError:

@@ -154,6 +154,8 @@ REFUSED = {
         ("--stiffness -1e40", "got -1e+40, expected more than the critical"),
         ("--stiffness -1e-40", "expected one of a size from 1e-09 to 1e+09"),
         ("--stiffness -1e300 --length 1e100", "beyond float64"),
+        ("--stiffness 1e240 --length 1e-80", "unit of the highest derivative"),
+        ("--shapes 1000000000000 --json", "--shapes: got 1000000000000, expected a whole"),
         ("--length -1", "--length: got -1.0, expected a number above 0 in m"),
     ],
     "sweep beam-mass": [

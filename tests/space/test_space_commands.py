@@ -273,10 +273,17 @@ def test_python_refuses_what_the_command_line_refuses() -> None:
         ns.modes("string-mas")
     with pytest.raises(ns.ParameterError, match="colour: unknown"):
         ns.modes("string-mass", colour=1)
-    for place in (0.0, 1.0, True, None, "x", math.nan):
+    for place in (0.0, 1.0, True, None, "x", math.nan, "1e999999999", "1e-999999999"):
         with pytest.raises(ns.ParameterError, match="position: got"):
             ns.modes("string-mass", position=place)
+    for count in (513, 600):  # orders up to 512 have 513 modes
+        with pytest.raises(ValueError, match=r"count: got 600|no order of ritz-c0 is within"):
+            ns.modes("string-mass", count=count, tol=1e-3)
     found = ns.modes("string-mass", count=2)
+    assert found[0].shape([[0.1, 0.2], [0.3, 0.4]]).shape == (2, 2)
+    for derivative in (-1, 3, 1.5):
+        with pytest.raises(ValueError, match=f"derivative: got {derivative}, expected a whole"):
+            found[0].shape(0.1, derivative)
     with pytest.raises(ValueError, match="parameters beside it"):
         ns.modes(found.attached, mass=3.0)
     again = ns.modes(found.attached, "ck", 12, count=2)

@@ -134,7 +134,7 @@ def test_the_command_writes_shapes(run, tmp_path: Path) -> None:
     [
         (("5",), "expected -o FILE that ends in one of .json, .csv, .nc"),
         (("5", "-o", "shapes.png"), "expected -o FILE that ends in one of .json, .csv, .nc"),
-        (("1", "--json"), "got 1, expected a whole number from 2"),
+        (("1", "--json"), "got 1, expected a whole number from 2 to 1000000"),
         (("5", "--json", "--method", "all"), "got --method all with it, expected one method"),
         (("5", "--json", "--vary", "mass=1:2:2"), "got --vary with it, expected one structure"),
     ],

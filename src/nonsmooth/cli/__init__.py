@@ -163,4 +163,6 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         sys.exit(0)
     except OSError as error:
         _fail(str(error), 2)
+    except MemoryError as error:
+        _fail(f"not enough memory: {error}", 2)
     sys.exit(status if isinstance(status, int) else 0)

@@ -6,6 +6,7 @@ from typing import Any
 from nonsmooth.files import csv_rows, documents
 from nonsmooth.solver.space.attached import Attached, attach
 from nonsmooth.solver.space.modes import Modes
+from nonsmooth.solver.space.position import as_fraction
 
 from ..output import Destination, drawn_by
 from ..problems import Problem, wrong_values
@@ -23,7 +24,7 @@ EXAMPLE = "position=1/20:1/2:10"
 def vary_of(text: str, log: bool, attached: Attached) -> Vary[Fraction]:
     """Return what ``--vary`` asks for, of a structure."""
     names = ("position", *attached.values)
-    return parse_vary(text, log, names, MOST_POINTS, EXAMPLE, Fraction)
+    return parse_vary(text, log, names, MOST_POINTS, EXAMPLE, as_fraction)
 
 
 def structures_of(vary: Vary[Fraction], attached: Attached) -> list[Attached]:

@@ -7,8 +7,9 @@ import click
 
 from nonsmooth.files import documents
 from nonsmooth.files.json_text import sealed
+from nonsmooth.solver.scenes.parameter_error import whole
 from nonsmooth.solver.space.attached import Attached
-from nonsmooth.solver.space.modes import Modes
+from nonsmooth.solver.space.modes import MOST_POINTS, Modes
 from nonsmooth.solver.space.structure import Structure
 
 from ..about import Given
@@ -36,8 +37,8 @@ def run(
 def _check_shapes(
     points: int, vary: str | None, method: str | None, json: bool, file: Path | None
 ) -> None:
-    if points < 2:
-        raise Problem(f"--shapes: got {points}, expected a whole number from 2")
+    with as_problems():
+        whole("shapes", points, 2, MOST_POINTS)
     if vary is not None:
         raise Problem("--shapes: got --vary with it, expected one structure")
     if method == ALL:
