@@ -125,7 +125,7 @@ class Body:
 
     def __post_init__(self) -> None:
         arrays: dict[str, Entries] = {}
-        size = np.shape(self.M)[0] if np.ndim(self.M) == 2 or hasattr(self.M, "tocoo") else 0
+        size = _size(self.M)
         for name in ("M", "C", "K"):
             if getattr(self, name) is not None:
                 arrays[name] = entries(f"body: {name}", getattr(self, name), (size, size))
@@ -168,6 +168,22 @@ class Body:
         return found | {q for q in (self.ratio, self.modes) if isinstance(q, sp.Symbol)}
 
 
+def _size(mass: Any) -> int:
+    """Return how many degrees of freedom a mass matrix is of."""
+    shape = np.shape(mass if hasattr(mass, "shape") else _array("body: M", mass))
+    if len(shape) != 2 or shape[0] != shape[1] or not shape[0]:
+        size = " x ".join(map(str, shape)) or "1"
+        raise SceneError(f"body: M: got {size} entries, expected a square matrix")
+    return int(shape[0])
+
+
+def _array(field_: str, value: Any) -> npt.NDArray[Any]:
+    try:
+        return np.asarray(value)
+    except ValueError:
+        raise SceneError(f"{field_}: expected rows of one length") from None
+
+
 def entries(field_: str, value: Any, shape: tuple[int, int]) -> Entries:
     """Return the entries of a matrix or of a vector that are not zero.
 
@@ -178,15 +194,16 @@ def entries(field_: str, value: Any, shape: tuple[int, int]) -> Entries:
     """
     if hasattr(value, "tocoo"):
         sparse = value.tocoo()
-        rows, columns = sparse.coords if len(sparse.shape) == 2 else (sparse.coords[0], [0])
-        values, found = sparse.data, sparse.shape
+        sparse = sparse.reshape(-1, 1) if len(sparse.shape) < 2 else sparse
+        (rows, columns), values, found = sparse.coords, sparse.data, sparse.shape
     else:
-        full = np.asarray(value.tolist() if isinstance(value, sp.MatrixBase) else value)
+        full = _array(field_, value.tolist() if isinstance(value, sp.MatrixBase) else value)
         full = full.reshape(-1, 1) if full.ndim < 2 else full
         found = full.shape
-        rows, columns = np.nonzero(full.reshape(len(full), -1))
-        values = full.reshape(len(full), -1)[rows, columns]
-    if tuple(found) != shape or not shape[0]:
+        flat = full.reshape(len(full), -1)
+        rows, columns = np.nonzero(flat != 0 if flat.dtype == object else flat)
+        values = flat[rows, columns]
+    if tuple(found) != shape:
         size = " x ".join(map(str, found))
         raise SceneError(f"{field_}: got {size} entries, expected {shape[0]} x {shape[1]}")
     places = np.asarray(rows, dtype=np.int64), np.asarray(columns, dtype=np.int64)
@@ -198,6 +215,8 @@ def _values(field_: str, values: npt.NDArray[Any]) -> Any:
     with named(field_):
         if values.dtype == object:
             found = tuple(sp.sympify(value) for value in values)
+            if not all(isinstance(value, sp.Expr) for value in found):
+                raise SceneError("expected numbers or expressions")
             if any(value.free_symbols for value in found):
                 if any(value.has(sp.I, sp.nan, sp.oo, sp.zoo) for value in found):
                     raise SceneError("expected real and finite entries")
