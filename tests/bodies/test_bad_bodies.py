@@ -127,3 +127,9 @@ def test_a_phase_without_an_eigenbasis_is_a_problem_of_the_body() -> None:
     case = ns.scene(own)(spring=3.0, gap=0.05)
     with pytest.raises(Problem, match=r"^body: two poles"), as_problems():
         ns.exact(case)
+
+
+def test_a_motion_that_grows_beyond_floats_is_said_without_a_warning() -> None:
+    falls = ns.scene(scene(K=[[-9, 0.1], [0.1, 1]]))
+    with pytest.raises(ns.NoOrbit, match="beyond float64"):
+        ns.solve(falls(), order=10)

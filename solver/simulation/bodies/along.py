@@ -31,6 +31,7 @@ class Along:
     Y: Vector
     rows: Matrix
 
+    @np.errstate(over="ignore", invalid="ignore")  # a motion may grow beyond float64
     def at(self, t: Vector, form: int | None = None) -> tuple[Matrix, Matrix]:
         """Return values and slopes at times from the beginning; shape (F, len(t)) each.
 

@@ -123,7 +123,10 @@ def _fail(message: str, status: int, below: Sequence[str] = ()) -> NoReturn:
 def _said(error: click.UsageError) -> str:
     if isinstance(error, click.NoSuchOption):
         return no_such_option(error)
-    return error.format_message()
+    said = error.format_message()
+    if said.startswith("Got unexpected extra argument"):
+        said += "; what a command is about comes first, before all options"
+    return said
 
 
 def _print_what_can_be() -> None:

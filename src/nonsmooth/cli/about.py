@@ -13,6 +13,7 @@ from ..extras import require
 from ..nearest import nearest
 from .case_files import read_case, tables_of
 from .output import Destination, check_target
+from .problems import Problem
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -52,6 +53,12 @@ class Given(Generic[About]):
         A `Problem` is raised if it cannot be read, or is not of this scene or structure.
         """
         return {} if self.file is None else read_case(self.file, tables_of(self.about.name))
+
+    def check_varies(self, name: str) -> None:
+        """Check that no flag gives a parameter that varies; a `Problem` if one does."""
+        if name in self.flags:
+            said = flag(name)
+            raise Problem(f"{said}: given beside --vary {said[2:]}, which sets it")
 
     @property
     def where(self) -> str:

@@ -45,6 +45,8 @@ def scene_named(text: str) -> "LoadedScene":
         return find_scene(text)
     except UnknownScene as error:
         hint = ", or the path of a scene file" if "did you mean" not in str(error) else ""
+        if text in structure_names():
+            hint = f"; {text} is a structure, of `nonsmooth modes`"
         context = click.get_current_context(silent=True)
         raise click.UsageError(f"{error}{hint}", context) from error
     except SceneFileError as error:

@@ -89,7 +89,9 @@ def _start(
         raise Problem(f"--{name}: given beside --from-orbit, which says it")
     try:
         orbit = load(from_orbit, scene=given.about)
-    except (FileError, OSError) as error:
+    except OSError as error:
+        raise Problem(f"--from-orbit: cannot read {from_orbit}: {error.strerror}") from error
+    except FileError as error:
         raise Problem(f"--from-orbit: {error}") from error
     if not isinstance(orbit, Orbit) or orbit.exact is None:
         raise Problem(

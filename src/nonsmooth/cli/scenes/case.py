@@ -56,9 +56,3 @@ def vary_from(
     names = [q.name for q in given.about.parameters]
     example = f"{range_of(given.about.parameters[-1])}{points}"
     return parse_vary(text, log, names, most, example, float)
-
-
-def check_not_given(given: Given[LoadedScene], vary: Vary[float]) -> None:
-    """Check that no flag gives a parameter that varies; a `Problem` if one does."""
-    if vary.parameter in given.flags:
-        raise Problem(f"--{vary.flag}: given beside --vary {vary.flag}, which sets it")

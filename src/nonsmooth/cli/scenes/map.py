@@ -12,7 +12,7 @@ from ..problems import Problem, as_problems
 from ..progress import progress
 from ..values import Vary
 from . import captions
-from .case import case_from, check_not_given, vary_from
+from .case import case_from, vary_from
 
 
 def run(
@@ -47,5 +47,5 @@ def _axes(given: Given[LoadedScene], texts: tuple[str, ...]) -> list[Vary[float]
     if len({each.parameter for each in found}) != 2 or len(found) != 2:
         raise Problem(f"--vary: got {' and '.join(texts)}, expected two parameters")
     for each in found:
-        check_not_given(given, each)
+        given.check_varies(each.parameter)
     return found

@@ -82,6 +82,7 @@ def _diagram(
 ) -> int:
     """Draw a bifurcation diagram, write it; the exit status."""
     along = vary_from(given, vary, MOST, ":200")
+    given.check_varies(along.parameter)
     case = case_from(given, **{along.parameter: along.first})
     with (
         as_problems(), wrong_values("--vary: "), progress(along.count, "simulate") as advance

@@ -19,7 +19,7 @@ from ..problems import PLURAL, Problem, as_problems, wrong_values
 from ..progress import progress
 from ..values import Vary, is_whole, parse_orders, values_of
 from . import tables
-from .case import case_from, check_not_given, vary_from
+from .case import case_from, vary_from
 from .options import ORDERS
 
 
@@ -29,7 +29,7 @@ def run(
     """Sweep along a parameter or over orders; the exit status."""
     if vary is not None:
         along = vary_from(given, vary, MOST_VALUES, ":20", log)
-        check_not_given(given, along)
+        given.check_varies(along.parameter)
         case = case_from(given, **{along.parameter: along.first})
         return _along(case, to, along, **wanted)
     if log:

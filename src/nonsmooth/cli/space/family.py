@@ -7,7 +7,9 @@ from nonsmooth.files import csv_rows, documents
 from nonsmooth.solver.space.attached import Attached, attach
 from nonsmooth.solver.space.modes import Modes
 from nonsmooth.solver.space.position import as_fraction
+from nonsmooth.solver.space.structure import Structure
 
+from ..about import Given
 from ..output import Destination, drawn_by
 from ..problems import Problem, wrong_values
 from ..progress import progress
@@ -48,12 +50,14 @@ def labels_of(vary: Vary[Fraction]) -> list[str]:
 
 
 def run(
-    attached: Attached, to: Destination, wanted: dict[str, Any], text: str, log: bool
-) -> int:
+    given: Given[Structure], attached: Attached, to: Destination, wanted: dict[str, Any],
+    text: str, log: bool,
+) -> int:  # fmt: skip
     """Compute the modes along a parameter, show them, write them; the exit status."""
     if wanted["method"] == ALL:
         raise Problem("--vary: got --method all with it, expected one method")
     vary = vary_of(text, log, attached)
+    given.check_varies(vary.parameter)
     values, labels = [float(value) for value in values_of(vary)], labels_of(vary)
     structures = structures_of(vary, attached)
     found: list[Modes] = []

@@ -30,7 +30,7 @@ def run(
     if shapes is not None:
         _check_shapes(shapes, vary, wanted["method"], to.json, to.file)
     if vary is not None:
-        return family.run(attached, to, wanted, vary, log)
+        return family.run(given, attached, to, wanted, vary, log)
     return _run_once(attached, to, wanted, shapes)
 
 
