@@ -344,7 +344,7 @@ def test_the_command_writes_what_python_has(found: ns.Branch, run, tmp_path: Pat
         (("--vary", "speed=1:2"), "--vary: unknown parameter 'speed'"),
         (("--vary", "frequency=1:1"), "--vary: got 'frequency=1:1', expected two different"),
         (("--vary", "frequency=-1:2"), "frequency: got -1.0"),
-        (("--vary", "frequency=1:2", "--from-orbit", "none.json"), "--from-orbit"),
+        (("--vary", "frequency=1:2", "--from-orbit", "none.json"), "cannot read none.json"),
         ((), "Missing option '--vary'"),
         (("--vary", "frequency=1:2", "--attractors"), "--attractors: expected beside --output"),
         (("--vary", "frequency=1:2", "--all", "-o", "all.csv"), "beside --all, expected .json"),
@@ -367,6 +367,8 @@ def test_a_branch_from_an_orbit_in_a_file(run, tmp_path: Path) -> None:
     status, _, err = run("branch", *FLAGS, *vary)
     assert status == 2
     assert "given beside --from-orbit" in err
+    _, _, err = run("branch", "clearance", *vary[:1], "frequency=2:3", *vary[2:])
+    assert err.startswith("nonsmooth: --from-orbit: got one at frequency = ")
 
 
 def test_all_branches_have_those_that_coexist(run, tmp_path: Path) -> None:

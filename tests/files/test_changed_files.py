@@ -228,6 +228,7 @@ NOT_OURS = [
     ("a.json", sealed({"roots": []}), OTHER),
     ("digits.json", sealed(IMPACT | {"lost": False, "rows": []}), OTHER),
     ("tradeoff.json", sealed(IMPACT | {"points": []}), OTHER),
+    ("diagram.json", sealed(IMPACT | {"vary": {}, "values": [], "states": []}), OTHER),
     ("simulate.json", sealed(IMPACT | {"phases": [{}]}), OTHER),
     ("a.csv", "x,y\n1,2\n", "CSV is for other programs"),
     ("a.txt", "", "expected a name that ends in one of .json, .csv, .nc"),
@@ -254,6 +255,12 @@ def test_netcdf_of_others(tmp_path: Path) -> None:
     path.write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
     with pytest.raises(ns.FileError, match=r"other\.nc: damaged: OSError"):
         ns.load(path)
+
+
+@pytest.mark.parametrize("scene", ["drum", 3])
+def test_a_scene_that_is_none(scene: object, tmp_path: Path) -> None:
+    with pytest.raises(ns.FileError, match=f"sweep.json: scene: got {scene!r}, expected"):
+        ns.load(saved("sweep", tmp_path, ".json"), scene=scene)
 
 
 def test_what_has_no_orbit_is_no_file_of_one(run, tmp_path: Path) -> None:

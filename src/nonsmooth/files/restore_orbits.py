@@ -55,6 +55,8 @@ def result_in(path: Path, document: Mapping[str, Any], scene: object = None) -> 
     if "why_it_ended" in document:
         return _branch(document, _case(path, document, scene))
     if "vary" in document:
+        if "rows" not in document:  # states of a bifurcation diagram
+            raise other_kind(path)
         return _family(path, document, _case(path, document, scene))
     if "rows" in document:
         if not {"functions", "rates"} & document.keys():  # rows of ``digits``
@@ -73,7 +75,9 @@ def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
     name = document["scene"]
     try:
         found = find(name if scene is None else scene)
-    except UnknownScene as error:
+    except (UnknownScene, TypeError) as error:
+        if scene is not None:
+            raise FileError(path, str(error)) from error
         hint = "give its file or the scene itself as `scene`"
         raise FileError(path, f"of the scene {name!r}, which is not shipped: {hint}") from error
     if found.name != name:

@@ -50,7 +50,7 @@ def run(
         how = Expansion.checked(case, **expansion)
     what = case, along.parameter, along.first, along.last
     try:
-        with as_problems(), busy(f"following {case.scene.name}") as say:
+        with as_problems({"start": "from-orbit"}), busy(f"following {case.scene.name}") as say:
 
             def seen(value: float) -> None:
                 say(f"{along.flag} = {value:g}")
