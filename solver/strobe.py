@@ -74,7 +74,9 @@ def diagram(
     if parameter not in names:
         expected = f"one of {', '.join(names)}"
         raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
-    cases = [case.with_value(parameter, value).of_fullest() for value in values]
+    cases = [
+        case.with_value(parameter, value).of_fullest() for value in _several("values", values)
+    ]
     whole("values", len(cases), 1, MOST_VALUES)
     whole("transient", transient, 0, MOST_CYCLES)
     whole("cycles", cycles, 1, MOST_CYCLES)
@@ -239,8 +241,14 @@ def _check_forced(case: Case) -> None:
         raise ValueError(f"scene: nothing forces {case.scene.name}: {words}")
 
 
+def _several(name: str, values: Iterable[float]) -> list[float]:
+    if not isinstance(values, Iterable):
+        raise ValueError(f"{name}: got {values!r:.80}, expected several numbers")
+    return list(values)
+
+
 def _axis(name: str, values: Sequence[float]) -> Vector:
-    found = list(values)
+    found = _several(name, values)
     if not found or not all(is_number(value) for value in found):
         raise ValueError(f"{name}: got {values!r:.80}, expected finite numbers")
     return np.array(found, dtype=float)
