@@ -120,6 +120,8 @@ REFUSED = {
     ],
     "modes": [
         ("beam-mas", "did you mean beam-mass?"),
+        ("--position 1/3 beam-mass", "--position: expected STRUCTURE before it"),
+        ("--case none.toml", "or a case file with a table of one"),
         ("beam-mass --position 0", "--position: got '0', expected a fraction"),
         ("beam-mass --position 1", "above 0 and below 1"),
         ("beam-mass --position 7/5", "--position: got '7/5'"),

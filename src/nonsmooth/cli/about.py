@@ -202,6 +202,9 @@ def no_such_option(error: click.NoSuchOption) -> str:
     flags = [name for q in command.params for name in q.opts if name.startswith("--")]
     meant = nearest(error.option_name.replace("_", "-"), [*flags, "--help"])
     about = command if isinstance(command, CommandAbout) else None
+    if getattr(command, "default", "") is None:  # it is about nothing as yet
+        expected = "expected STRUCTURE before it, or a case file with a table of one"
+        return f"{error.option_name}: {expected}"
     of_what = f"{about.about.name} has no {error.option_name}." if about else error.message
     if meant:
         *others, last = meant
