@@ -52,6 +52,7 @@ class Flow:
     omega: float
     free: int = 0
 
+    @np.errstate(over="ignore", invalid="ignore")  # a trial may grow beyond float64
     def matrix(self, t: float | Vector) -> Matrix:
         """Return ``exp(A t)``; of several times a stack."""
         half = self.upper
@@ -79,6 +80,7 @@ class Flow:
         found[..., :2] += self.answered(np.column_stack([down, -1j * down]), -self.omega, t)
         return found
 
+    @np.errstate(over="ignore", invalid="ignore")
     def answered(self, drive: Complex, omega: float, t: Vector) -> Complex:
         """Return what ``drive e^(i omega t)`` makes of rest; shape (..., n, k) by (n, k)."""
         found = drive * steady(self.poles, omega, t[..., None])[..., None]

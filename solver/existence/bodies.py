@@ -202,6 +202,8 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
         root = _narrowed(defect, float(parts[i]), float(parts[i + 1]))
         (a, b, c), (d, e, f) = _both(quick, np.array([root]))[0]
         determinant = a * e - b * d
+        if determinant == 0:  # any angle would do, or what grows is beyond float64
+            continue
         angle = np.arctan2((c * d - a * f) / determinant, (b * f - c * e) / determinant)
         durations = (root * cell.duration, (1 - root) * cell.duration)
         yield RoughTimes(durations, float(angle) % (2 * np.pi), "a scan of the exact equations")

@@ -57,6 +57,7 @@ class Along:
         rest = np.abs(self.rows[:, n + 2 :]) @ np.abs(self.Y[n + 2 :])
         return np.asarray(modes + waves + rest)
 
+    @np.errstate(over="ignore")  # infinite is a bound, too
     def bounds(self, order: int, t: Vector, h: float) -> Matrix:
         """Return what a derivative never exceeds from times on, for h; shape (F, len(t))."""
         parts, omega = self._parts, self._omega
