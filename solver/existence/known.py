@@ -16,7 +16,7 @@ import numpy as np
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
-from ..orbit.admissible import Undecided, is_seen_violated
+from ..orbit.admissible import Undecided, are_same, is_seen_violated
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.bodies.cell import BodyCell
@@ -109,12 +109,16 @@ def known_orbits(case: Case) -> list[ExactOrbit]:
 
 def others(orbit: ExactOrbit) -> list[ExactOrbit]:
     """Return the orbits of the same oscillator, of any motion, that are known beside one."""
-    return [
-        other
-        for other in known_orbits(orbit.case.whole)
-        if other.case != orbit.case
-        or _apart(other, tuple(orbit.cell_durations), orbit.angle) > NEAR
-    ]
+    return [other for other in known_orbits(orbit.case.whole) if not _is_one(orbit, other)]
+
+
+def _is_one(orbit: ExactOrbit, other: ExactOrbit) -> bool:
+    """Whether two orbits are one: of an order that was asked for and is a declared one, too."""
+    if other.case == orbit.case:
+        return _apart(other, tuple(orbit.cell_durations), orbit.angle) <= NEAR
+    phases, count = other.phases, len(other.phases)
+    turns = range(count if count == len(orbit.phases) else 0)
+    return any(are_same(orbit, [*phases[i:], *phases[:i]]) for i in turns)
 
 
 def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:

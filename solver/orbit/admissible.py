@@ -186,7 +186,7 @@ def _repeated(orbit: Motion) -> tuple[str, ...]:
         if len(phases) % times or (cell.forced and cell.cycles % times):
             continue
         later = len(phases) // times
-        if not _are_same(orbit, [*phases[later:], *phases[:later]]):
+        if not are_same(orbit, [*phases[later:], *phases[:later]]):
             continue
         if not cell.forced:
             return (f"it is an orbit of {later} phases, {times} times in a row",)
@@ -196,7 +196,7 @@ def _repeated(orbit: Motion) -> tuple[str, ...]:
     return ()
 
 
-def _are_same(orbit: Motion, others: Sequence[OrbitPhase]) -> bool:
+def are_same(orbit: Motion, others: Sequence[OrbitPhase]) -> bool:
     """Whether the phases of an orbit are the same as others, but for rounding."""
     pairs = list(zip(orbit.phases, others, strict=True))
     apart = max(abs(one.duration - other.duration) for one, other in pairs)

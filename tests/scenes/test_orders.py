@@ -226,3 +226,10 @@ def test_a_preloaded_play_touches_on_both_sides_or_on_one() -> None:
     assert both.admissible
     low, high = both.extremes["displacement"]
     assert low < -0.9 < 1.1 < high
+
+
+def test_a_declared_order_that_is_asked_for_has_no_other_orbit_beside_it() -> None:
+    case = registry.load("dry-friction")()
+    assert solving.solve_case(case, method="ck-tau", order=8).others == []
+    asked = with_order(case, "-slide,slide")
+    assert solving.solve_case(asked, method="ck-tau", order=8).others == []
