@@ -13,7 +13,6 @@ import numpy as np
 
 from ..arrays import Vector
 from ..scenes.cell import Form
-from ..simulation.followers import not_followed
 from . import chebyshev
 from .condition import moved_times
 from .crossings import met_before
@@ -100,7 +99,7 @@ def violations(
             found += _at_switch(orbit, p, words, form, allowed)
         if not any(vanishes_by_event(orbit, p, form) for _, form in phase.demands):
             found += _too_late(orbit, p, allowed)
-    return tuple(found) or not_followed(orbit) or _repeated(orbit)
+    return tuple(found) or _repeated(orbit)
 
 
 def _undetermined(orbit: Motion) -> tuple[str, ...]:

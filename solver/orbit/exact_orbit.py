@@ -13,6 +13,7 @@ from ..kernels.kernel import Kernel
 from ..kernels.start import RoughTimes, solved
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
+from ..simulation.followers import not_followed
 from ..stability.in_words import in_words
 from . import admissible
 from .shown import Shown
@@ -68,7 +69,7 @@ class ExactOrbit(Shown):
             apart = left_open(cell, self.times)
             if not apart <= CLOSED:
                 return (f"it does not close: by {apart:.3g} of its size",)
-        return admissible.violations(self)
+        return admissible.violations(self) or not_followed(self)
 
     @cached_property
     def admissible(self) -> bool:

@@ -13,6 +13,7 @@ from ..kernels.kernel import Kernel
 from ..kernels.start import RoughTimes, solved
 from ..scaling import product_of_powers
 from ..scenes.case import Case
+from ..simulation.followers import not_followed
 from . import admissible
 from .allowance import by_neighbour, by_residual
 from .errors import Errors, difference, times_apart
@@ -126,9 +127,11 @@ class Solution(Shown):
 
     @cached_property
     def _disproof(self) -> tuple[str, ...]:
-        """What the exact solution next to this one violates."""
+        """What the exact solution next to this one violates; its own order, if there is none."""
         near = self._neighbour
-        if near is None or near.admissible:
+        if near is None:
+            return not_followed(self)
+        if near.admissible:
             return ()
         words = f"the exact solution next to it is not an orbit: {'; '.join(near.violations)}"
         return (words,)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from bodies.reference_bodies import case, of, references
 
+import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.in_order import motion_of
@@ -113,3 +114,10 @@ def test_a_slip_below_the_rounding_of_the_modes_is_one() -> None:
     orbit = exact_orbit(case)
     assert orbit.stable
     assert 0.02 < orbit.phases[0].duration < 0.03
+
+
+def test_harmonics_that_err_have_the_order_of_the_exact_orbit_beside_them() -> None:
+    """Of an order that is asked for; by themselves they slip a little where it sticks."""
+    own, phases = registry.load("absorber-friction")(), "slip,stick,-slip,-stick"
+    orbit = ns.solve(own, "hb", 10, phases=phases)
+    assert 1e-3 < orbit.errors.times < 1e-2
