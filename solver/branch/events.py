@@ -62,9 +62,13 @@ def events_in(
     NoStepError
         If something is not located.
     """
+    found: list[tuple[float, Found | None]] = []
+    edge = _edge(piece, before, after)
+    if edge is not None:  # no more counts than what is on the way to it
+        found.append(edge)
+        length, after = edge[0], edge[1].place
     start, end = before.gauges, after.gauges
     watched, passed = len(start) - OWN, piece.durations(after.y).min() < 0
-    found: list[tuple[float, Found | None]] = [*_edges(piece, before, after, length)]
     found += _watched(piece, before, after, length)
     changes = [at for at, event in found if event is not None and event.changes]
     if changes:
@@ -78,7 +82,7 @@ def events_in(
     if own:
         found += turning(piece, before, after, length, [at for at, _ in real])
     kept = [each for each in found + real if each[1] is None or _is_within(each[1])]
-    if passed and len(kept) < len(found + real):  # the end of the range is on the way to that
+    if passed and len(kept) < len(found + real):  # the step turns back beyond the range
         raise NoStepError
     return kept
 
@@ -125,15 +129,16 @@ def _before(piece: Piece, before: Place, at: float) -> tuple[float, Place]:
     raise NoStepError
 
 
-def _edges(
-    piece: Piece, before: Place, after: Place, length: float
-) -> Iterator[tuple[float, Found]]:
-    """Yield where the parameter leaves its interval in a step, if it does."""
+def _edge(piece: Piece, before: Place, after: Place) -> tuple[float, Found] | None:
+    """Return where the parameter leaves its interval in a step; None if it does not."""
     edge = float(after.y[-1])
-    if abs(edge) > 1:
-        side = float(np.copysign(1.0, edge))
-        at = (side - float(before.y[-1])) / (edge - float(before.y[-1]))
-        y = before.y + at * (after.y - before.y)
-        y[-1] = side
-        there = piece.led(y, np.append(np.zeros(len(y) - 1), 1.0))
-        yield at * length, Found(EDGE, None, None, piece, piece.place(there, before.direction))
+    if abs(edge) <= 1:
+        return None
+    side = float(np.copysign(1.0, edge))
+    part = (side - float(before.y[-1])) / (edge - float(before.y[-1]))
+    y = before.y + part * (after.y - before.y)
+    y[-1] = side
+    there = piece.led(y, np.append(np.zeros(len(y) - 1), 1.0))
+    at = float(before.direction @ ((there - before.y) * piece.along.weights))
+    place = piece.place(there, before.direction)
+    return at, Found(EDGE, None, None, piece, place)

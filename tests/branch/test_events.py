@@ -337,12 +337,25 @@ def test_orbits_are_one_wherever_they_begin() -> None:
 def test_impacts_that_follow_ever_faster_are_put_in() -> None:
     """A touch just behind an impact is not between two times of a grid, but in one step."""
     case = ns.scene("impact-two-sided")(damping=0.258, gap=0.309, restitution=0.406)
-    branch = ns.branch(case, "frequency", 0.84, 1.4)
+    branch = ns.branch(case, "frequency", 0.8461, 1.4)
     kinds = [event.kind for event in branch.events]
-    assert kinds == ["grazing", *["fold", "grazing"] * 9]
-    assert len(branch.rows[0].durations) == 2 * 10
+    assert kinds == ["fold", "grazing"] * 11
+    assert len(branch.rows[0].durations) == 2 * 12
     for row in branch.rows[:: len(branch.rows) // 8]:
         assert exactly(branch, row).durations == pytest.approx(row.durations, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("values", "vary", "ends"),
+    [
+        ({"damping": 0, "gap": 0}, "frequency", (0.98, 1.1)),  # it turns at the touch itself
+        ({}, "restitution", (2.05e-4, 2.2e-4)),  # hardly anything of a perturbation is left
+    ],
+)
+def test_behind_a_touch_a_branch_has_one_impact_more(values, vary, ends) -> None:
+    branch = ns.branch(ns.scene("impact")(**values), vary, *ends)
+    assert {row.motion for row in branch.rows} >= {None, "flight,flight"}
+    assert "grazing" not in branch.why_it_ended
 
 
 def test_what_is_not_watched_ends_a_branch_by_the_solver(monkeypatch) -> None:

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...arrays import Vector
+from ...arrays import Matrix, Vector
 from ...scenes.loaded import UnknownScene
 from ...scenes.orders import Order
 from ...scenes.parameter_error import ParameterError
@@ -60,10 +60,8 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     z = _unknowns(found, course, Candidate(slots, False, at.angle))
     here = np.append(z, old.number(found.place.y))
     bare = Piece.at(course, old.case, old.index, old.bounds, here, ())
-    y, J = bare.of_number(here), np.empty((len(z), len(z) + 1))
-    bare.functions["rates"](bare.along, y[:-1], y[-1], J)
-    J /= bare.along.weights
-    free = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2][-2:]
+    y = bare.of_number(here)
+    free = _free(bare, y)[-2:]
     apart = [halves_apart(bare, each) for each in free]
     border = np.linalg.svd(np.array(apart).T)[2][0] @ free
     for ahead in ASIDE:
@@ -88,22 +86,33 @@ def _led(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place
     z = _unknowns(found, course, candidate)
     count, forced = len(candidate.slots), old.cell.forced
     at_s = len(z) - count - forced
-    border = np.append(np.zeros(len(z)), 1.0)
     if candidate.grows is not None:
-        border = np.zeros(len(z) + 1)
-        border[at_s + candidate.grows] = 1.0
         z[at_s + candidate.grows] = ahead * z[at_s : at_s + count].sum()
     at = np.append(z, old.number(found.place.y))
     bare = Piece.at(course, old.case, old.index, old.bounds, at, ())
-    y = bare.led(bare.of_number(at), border)
+    y = bare.of_number(at)
     if candidate.grows is not None:
-        return _admitted(bare, y, border)
+        border = np.zeros(len(y))
+        border[at_s + candidate.grows] = 1.0
+        return _admitted(bare, bare.led(y, border), border)
+    border = _free(bare, y)[-1]
+    border *= np.copysign(1.0, border[-1])
+    y = bare.led(y, border)
     for side in (ahead, -ahead):
         try:
             return _admitted(bare, bare.led(y + side * border, border), side * border)
         except NoStepError:
             continue
     raise NoStepError
+
+
+def _free(bare: Piece, y: Vector) -> Matrix:
+    """Return directions in turn, the last ones those that the equations leave free."""
+    J = np.empty((len(y) - 1, len(y)))
+    bare.functions["rates"](bare.along, y[:-1], y[-1], J)
+    J /= bare.along.weights
+    found: Matrix = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2]
+    return found
 
 
 def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
