@@ -126,7 +126,8 @@ def _end_of(orbit: "Motion", p: int, angle: float, memory: tuple[float, ...]) ->
         y = seen(cell, times, p, end, rows)[:, 0]
         return BodyState(tuple(map(float, y)), angle, memory=memory)
     x, v = (float(orbit.part(p, end, j)[0]) for j in (0, 1))
-    return State(x, v, angle, memory=memory)
+    place = cell.place(p)  # without rounding, as in a simulation
+    return State(x if place is None else place, v, angle, memory=memory)
 
 
 def _numbers(node: Node) -> tuple[object, ...]:

@@ -377,6 +377,12 @@ def test_an_orbit_at_rest_at_zero_at_every_switch_is_followed() -> None:
         assert row.durations == pytest.approx([q.duration for q in exact.phases], rel=1e-12)
 
 
+@pytest.mark.parametrize("frequency", [0.49, 0.495, 0.497, 0.499])
+def test_a_flight_follows_a_rest_at_zero_but_for_rounding(frequency) -> None:
+    orbit = ns.exact(ns.scene("impact-inelastic")(damping=0, gap=0, frequency=frequency))
+    assert orbit.case.scene.motion == "flight,flight,rest"
+
+
 def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
     """Beyond it there are no such orbits; before it a step is to be shorter."""
     fold = SimpleNamespace(changes=False, column=None, value=1.0)
