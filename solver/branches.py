@@ -34,6 +34,9 @@ VALUES = 7
 #: Parts of the range at which an orbit to start from is looked for, in turn.
 STARTS = (0.0, 1.0, 0.5, 0.25, 0.75)
 
+#: Least difference of the ends of a range, as a part of them: less is rounding.
+LEAST_RANGE = 1e-13
+
 #: Where orbits of twice the period, or without their symmetry, begin.
 DOUBLED = frozenset(("flip", "branch-point"))
 
@@ -139,11 +142,10 @@ def branch_case(
     found = Both(index_of(case, parameter))
     try:
         place = start_of(orbit, found.index, bounds)
-    except ArithmeticError:
-        words = (
-            f"{orbit.case.scene.label}: the orbit at {parameter} = {value:g} is not isolated"
-        )
-        raise NoOrbit(f"{words}: no branch can be followed from it", False, ()) from None
+    except ArithmeticError as error:
+        words = f"{orbit.case.scene.label}: no branch can be followed from the orbit at"
+        why = str(error) or "its equations are singular, to rounding"
+        raise NoOrbit(f"{words} {parameter} = {value:g}: {why}", False, ()) from None
     try:
         go(found, place, seen=seen)
     except KeyboardInterrupt:
@@ -261,8 +263,9 @@ def _are_one(one: ExactOrbit, other: ExactOrbit) -> bool:
 def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
     index_of(case, parameter)
     ends = sorted(case.with_value(parameter, q).values[parameter] for q in (first, last))
-    if ends[0] == ends[1]:
-        raise ValueError(f"range: got {first!r} to {last!r}, expected two different values")
+    if ends[1] - ends[0] <= LEAST_RANGE * max(map(abs, ends)):
+        expected = "two different values, not by rounding"
+        raise ValueError(f"range: got {first!r} to {last!r}, expected {expected}")
     return ends[0], ends[1]
 
 

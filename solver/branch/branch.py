@@ -109,8 +109,10 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
     case, course = orbit.case, course_of(orbit.case)
     own = np.append(course.unknowns(orbit), case.numbers[index])
     piece = Piece.at(course, case, index, bounds, own)
-    border = np.append(np.zeros(len(own) - 1), 1.0)
-    place = piece.place(piece.led(piece.of_number(own), border), border)
+    border, y = np.append(np.zeros(len(own) - 1), 1.0), piece.of_number(own)
+    if case.values[piece.name] in bounds:  # there exactly
+        y[-1] = np.copysign(1.0, y[-1])
+    place = piece.place(piece.led(y, border), border)
     piece.place(place.y, -place.direction)  # so it can be followed both ways
     return piece, place
 

@@ -148,9 +148,10 @@ class Course(Itinerary):
 
         def values(at: float) -> Vector:
             try:
-                return self.entries(*content(at))
+                found = self.entries(*content(at))
             except (BodyError, ParameterError):  # no such oscillator
-                return np.full(len(blocks), np.nan)
+                found = blocks[:0]
+            return found if len(found) == len(blocks) else np.full(len(blocks), np.nan)
 
         series, interval = resolved(values, value, interval, blocks)
         others = (content(at)[0] for at in interval.some())

@@ -72,6 +72,8 @@ def follow(
     (piece, place), length = found.points[-1], FIRST
     longest = part * (piece.bounds[1] - piece.bounds[0])
     half = shorter(piece)
+    if piece.ends_at(place.y) and place.y[-1] * place.direction[-1] > 0:
+        found.why = RANGE
     while len(found.points) < most and not found.why:
         places, lengths, why, length = piece.walk(place, length, longest, ROOM)
         closed = _closed(first, piece, places, lengths)

@@ -202,6 +202,7 @@ def test_the_course_of_a_declared_motion_has_its_name() -> None:
     [
         (("frequenzy", 1.0, 2.0), "parameter: got 'frequenzy', expected one of mass"),
         (("frequency", 1.0, 1.0), "range: got 1.0 to 1.0, expected two different values"),
+        (("frequency", 1.3, np.nextafter(1.3, 2)), "expected two different values, not by r"),
         (("frequency", 0.0, 1.0), "frequency: got 0.0"),
         (("frequency", "a", 1.0), "range: got 'a', expected a finite number"),
         (("frequency", 1.0, np.inf), "range: got inf"),
@@ -231,6 +232,21 @@ def test_a_branch_is_looked_for_at_the_very_ends_of_its_range(monkeypatch) -> No
     assert len(tried) == 5
     assert min(tried) == low
     assert max(tried) == high
+
+
+def test_an_orbit_of_singular_equations_is_not_said_to_be_no_isolated_one() -> None:
+    """Of a very soft spring the multipliers are 0.978 and 0.389, and 7 digits are rounding."""
+    with pytest.raises(NoOrbit, match=r"frequency = 1.3: its equations are singular, to round"):
+        ns.branch(ns.scene("clearance")(stiffness=1e-9), "frequency", 1.2, 1.4)
+
+
+@pytest.mark.parametrize("end", [1.9, 1.8])
+def test_a_branch_that_begins_at_an_end_has_it_once_and_exactly(end) -> None:
+    case = ns.scene("impact")(frequency=1.8)
+    other = 1.9 if end == 1.8 else 1.8
+    values = ns.branch(case, "frequency", end, other, start=ns.exact(case))["value"]
+    assert (values.min(), values.max()) == (1.8, 1.9)
+    assert (np.diff(values) > 0).all()
 
 
 def test_no_orbit_to_start_from_says_what_was_tried() -> None:

@@ -16,6 +16,7 @@ from nonsmooth.solver import branches
 from nonsmooth.solver.bodies.motion import signals
 from nonsmooth.solver.branch.branch import go
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.results.branch import BranchEvent
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.parameter_error import ParameterError
@@ -54,6 +55,13 @@ def test_a_branch_ends_where_the_forcing_is_as_fast_as_all_modes() -> None:
     assert found.why_it_ended == ("the end of the range", f"beyond, body: {words}")
     (square,) = one.cell.body.squares
     assert found.rows[-1].value == pytest.approx(np.sqrt(square) / one.units.time, rel=1e-9)
+
+
+def test_a_number_of_modes_is_swept_and_not_followed() -> None:
+    beam = ns.scene("beam-clearance")(modes=3)
+    assert [row.followed for row in ns.family(beam, "modes", [2, 3, 4])] == [False] * 3
+    with pytest.raises(NoOrbit, match="modes = 3: the equations are not smooth along the par"):
+        ns.branch(beam, "modes", 2, 4)
 
 
 def answer(case: Case, omega: float, joint: float) -> np.ndarray:
