@@ -112,7 +112,11 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
     border, y = np.append(np.zeros(len(own) - 1), 1.0), piece.of_number(own)
     if case.values[piece.name] in bounds:  # there exactly
         y[-1] = np.copysign(1.0, y[-1])
-    place = piece.place(piece.led(y, border), border)
+    try:
+        place = piece.place(piece.led(y, border), border)
+    except NoStepError:  # the branch may turn there
+        border = piece.free(y)[-1]
+        place = piece.place(piece.led(y, border), border)
     piece.place(place.y, -place.direction)  # so it can be followed both ways
     return piece, place
 

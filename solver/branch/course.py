@@ -148,9 +148,9 @@ class Course(Itinerary):
 
         def values(at: float) -> Vector:
             try:
-                found = self.entries(*content(at))
+                found: Vector = self.entries(*content(at))
             except (BodyError, ParameterError):  # no such oscillator
-                found = blocks[:0]
+                found = np.empty(0)
             return found if len(found) == len(blocks) else np.full(len(blocks), np.nan)
 
         series, interval = resolved(values, value, interval, blocks)

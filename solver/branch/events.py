@@ -67,8 +67,10 @@ def events_in(
     if edge is not None:  # no more counts than what is on the way to it
         found.append(edge)
         length, after = edge[0], edge[1].place
+        if length <= 0:  # there the step begins
+            return found
     start, end = before.gauges, after.gauges
-    watched, passed = len(start) - OWN, piece.durations(after.y).min() < 0
+    watched = len(start) - OWN
     found += _watched(piece, before, after, length)
     changes = [at for at, event in found if event is not None and event.changes]
     if changes:
@@ -82,7 +84,7 @@ def events_in(
     if own:
         found += turning(piece, before, after, length, [at for at, _ in real])
     kept = [each for each in found + real if each[1] is None or _is_within(each[1])]
-    if passed and len(kept) < len(found + real):  # the step turns back beyond the range
+    if len(kept) < len(found + real):  # the step turns back beyond the range
         raise NoStepError
     return kept
 

@@ -199,6 +199,14 @@ class Piece:
                 raise NoStepError
         return found
 
+    def free(self, y: Vector) -> Matrix:
+        """Return directions in turn, the last ones those that the equations leave free."""
+        J = np.empty((len(y) - 1, len(y)))
+        self.functions["rates"](self.along, y[:-1], y[-1], J)
+        J /= self.along.weights
+        found: Matrix = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2]
+        return found
+
     def stepped(self, place: Place, length: float) -> Place:
         """Return the orbit a step along the branch.
 

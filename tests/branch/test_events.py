@@ -395,6 +395,29 @@ def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
         in_turn([(0.3, None), (0.1, fold)])
 
 
+TOUCH, FOLD = 0.8438679380114447, 1.2348990596842087
+
+
+@pytest.mark.parametrize(
+    ("start", "ends", "kinds"),
+    [
+        (1.0, (TOUCH, 1.2), "grazing"),
+        (TOUCH, (TOUCH, 1.2), "grazing"),
+        (1.0, (TOUCH, 1.5), "grazing fold fold grazing"),
+        (FOLD, (1.0, 1.5), "fold fold grazing"),
+        (1.0, (1.0, FOLD), "fold fold grazing"),
+        (1.0, (1.0, FOLD - 1e-9), ""),  # to the end of the range, and not round the fold
+        (1.0, (1.0, FOLD + 1e-9), "fold fold grazing"),
+    ],
+)
+def test_an_event_at_an_end_of_the_range_or_at_the_start(start, ends, kinds) -> None:
+    spring = ns.scene("clearance")(**SPRING, frequency=start)
+    branch = ns.branch(spring, "frequency", *ends)
+    assert [event.kind for event in branch.events] == kinds.split()
+    least, most = branch["value"].min(), branch["value"].max()
+    assert ends[0] * (1 - 1e-14) <= least <= most <= ends[1] * (1 + 1e-14)
+
+
 @pytest.mark.parametrize("least", [1e-4, 1e-6])
 def test_what_happens_just_beyond_the_range_is_no_event(least):
     """Where the element never is elastic, at no yield force, a branch ended at -1e-16 N."""

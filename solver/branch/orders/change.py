@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
+from ...arrays import Vector
 from ...scenes.loaded import UnknownScene
 from ...scenes.orders import Order
 from ...scenes.parameter_error import ParameterError
@@ -61,7 +61,7 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     here = np.append(z, old.number(found.place.y))
     bare = Piece.at(course, old.case, old.index, old.bounds, here, ())
     y = bare.of_number(here)
-    free = _free(bare, y)[-2:]
+    free = bare.free(y)[-2:]
     apart = [halves_apart(bare, each) for each in free]
     border = np.linalg.svd(np.array(apart).T)[2][0] @ free
     for ahead in ASIDE:
@@ -95,7 +95,7 @@ def _led(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place
         border = np.zeros(len(y))
         border[at_s + candidate.grows] = 1.0
         return _admitted(bare, bare.led(y, border), border)
-    border = _free(bare, y)[-1]
+    border = bare.free(y)[-1]
     border *= np.copysign(1.0, border[-1])
     y = bare.led(y, border)
     for side in (ahead, -ahead):
@@ -106,23 +106,16 @@ def _led(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place
     raise NoStepError
 
 
-def _free(bare: Piece, y: Vector) -> Matrix:
-    """Return directions in turn, the last ones those that the equations leave free."""
-    J = np.empty((len(y) - 1, len(y)))
-    bare.functions["rates"](bare.along, y[:-1], y[-1], J)
-    J /= bare.along.weights
-    found: Matrix = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2]
-    return found
-
-
 def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
     """Return an orbit with what is watched there.
 
     Raises
     ------
     NoStepError
-        If it is not admissible.
+        If it is not admissible, or beyond the range.
     """
+    if abs(y[-1]) > 1:
+        raise NoStepError
     own = np.append(y[:-1], bare.number(y))
     piece = Piece.at(bare.course, bare.case, bare.index, bare.bounds, own)
     place = piece.place(piece.of_number(own), border)
