@@ -112,7 +112,8 @@ def located(
     end = float(after.gauges[i])
     forms, phases = 3 * len(piece.table), len(piece.along.kinds)
     at, place = root(piece, before, (0.0, length), i)
-    if not abs(float(place.gauges[i])) <= ZERO * abs(end):
+    ends = end, 0.0 if i < forms + phases else float(before.gauges[i])
+    if not abs(float(place.gauges[i])) <= ZERO * max(map(abs, ends)):
         if i < forms + phases and abs(end) > ROUNDING:  # there is no orbit beyond
             yield at, None
         return
