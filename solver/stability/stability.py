@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 #: and states that Newton's method left are in them.
 ROUNDING = 1e-12
 
+#: Rounding errors of the equations, as a part of those of the monodromy.
+OF_EQUATIONS = 1e-3
+
 #: How far from an eigenvalue an iteration for its vectors is, as a part of the way to the next;
 #: its steps, each of which gains as much.
 BESIDE, ITERATIONS = 1e-6, 2
@@ -82,6 +85,9 @@ def of_monodromy(cell: Cell, found: Monodromy) -> Stability:
         left.remove(which)
     left.sort(key=lambda j: (-abs(values[j]), -values[j].imag))
     rounding = _rounding(found, own, left[0]) if left else 0.0
+    near = abs(cell.sign * own[left[0]] - 1) if left else 1.0
+    if near**2 <= OF_EQUATIONS * rounding:  # at a fold the orbit itself is off by its root
+        rounding = max(rounding, float(near))
     if twice and left:
         rounding = 2 * float(np.abs(own[left[0]])) * rounding + rounding**2
     return Stability(values[left], trivial, rounding)

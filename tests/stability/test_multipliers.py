@@ -329,6 +329,18 @@ def test_of_a_stop_too_stiff_for_float64_it_is_not_told_whether_it_is_stable() -
     assert ns.exact(CLEARANCE(contact_stiffness=1e18)).stable is None
 
 
+def test_at_a_fold_it_is_not_told_whether_an_orbit_is_stable() -> None:
+    """The multiplier is 1 but for the root of what rounding makes of the frequency."""
+    fold = 1.2348990596842088
+    at, before = (
+        ns.exact(CLEARANCE(force=0.3, damping=0.1, gap=1.0, frequency=value))
+        for value in (fold, fold - 1e-12)
+    )
+    assert abs(at.margin) < 5e-8
+    assert at.stable is None
+    assert before.stable == (before.margin > 0) and abs(before.margin) > 1e-6
+
+
 def test_words_name_each_pair_once_and_say_where_an_orbit_is_not_isolated() -> None:
     """Without damping a sliding mass has a continuum of orbits at half its frequency."""
     plastic = in_words(ns.exact(ns.scene("elastic-plastic")()))
