@@ -338,7 +338,8 @@ def test_at_a_fold_it_is_not_told_whether_an_orbit_is_stable() -> None:
     )
     assert abs(at.margin) < 5e-8
     assert at.stable is None
-    assert before.stable == (before.margin > 0) and abs(before.margin) > 1e-6
+    assert before.stable == (before.margin > 0)
+    assert abs(before.margin) > 1e-6
 
 
 def test_words_name_each_pair_once_and_say_where_an_orbit_is_not_isolated() -> None:
