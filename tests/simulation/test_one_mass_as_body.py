@@ -81,3 +81,13 @@ def test_impacts_that_end_in_a_rest(made) -> None:
     long, others = ([q for q in motion if q.s > 1e-3] for motion in (own, found))
     assert len(long) < len(own)
     check(long, others, 1e-9)
+
+
+@pytest.mark.parametrize(("mu", "angle"), [(0.4, 4.0), (0.6, 1.0)])
+def test_what_was_held_leaves_once_and_stops_at_the_last_digit(mu, angle) -> None:
+    """With one coefficient of friction nothing but the force's rate says where it leaves to."""
+    values = {"damping": 0.3, "stiffness": 2.0, "frequency": 0.6, "mu_s": mu, "mu_k": mu}
+    case = registry.load("dry-friction")(**values).of_fullest()
+    own, ended, found, other_ended = followed(case, State(0.0, 0.0, angle), 6)
+    assert ended == other_ended == ""
+    check(own, found, 1e-14)

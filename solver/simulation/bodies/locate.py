@@ -124,7 +124,7 @@ def _zero(along: Along, form: int, a: float, b: float, cubic: Vector) -> float:
     """
     low, high = max(0.0, 2 * a - b), b  # it may begin below, by rounding
     t = a + (b - a) * _zero_of_cubic(cubic * [1.0, 1.0, b - a, b - a])
-    last, rounding = b - a, NOISE * float(along.sizes[form])
+    last, rounding = EPS * b, NOISE * float(along.sizes[form])  # no step before the first
     for _ in range(STEPS):
         values, slopes = along.at(np.array([t]), form)
         value, slope = float(values[0, 0]), float(slopes[0, 0])

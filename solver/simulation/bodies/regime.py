@@ -65,9 +65,14 @@ class Regime:
         return 0 if order == TERMS else int(np.sign(row @ Y))
 
     def leading(self, row: Vector, Y: Vector, zero: bool) -> int:
-        """Return the order of the first derivative that is not zero; `TERMS` if none is."""
+        """Return the order of the first derivative that is not zero; `TERMS` if none is.
+
+        States are known to the rounding of their way in a unit of time, also where they are 0.
+        """
+        far = np.abs(Y)
+        way = far + np.abs(self.generator) @ far
         for order in range(TERMS):
-            value, size = abs(row @ Y), np.abs(row) @ np.abs(Y)
+            value, size = abs(row @ Y), np.abs(row) @ (far if order else way)
             known = zero and order == 0 and value <= ON_IT * np.abs(row).sum() * np.abs(Y).max()
             if value > NOISE * size and not known:
                 return order
