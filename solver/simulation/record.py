@@ -209,12 +209,12 @@ class Simulation(Tabular):
             values[here] = self._of(q, s, number)
         return values.reshape(times.shape)
 
-    def samples(self, points: int = 100) -> list[tuple[Vector, ...]]:
+    def samples(self, points: float = 100) -> list[tuple[Vector, ...]]:
         """Return times and the `quantities` of each phase, in SI units.
 
         Parameters
         ----------
-        points : int
+        points : float
             About how many for each wave of the motion.  The start and the end of a phase are
             always among them: the values at an end are those before the switch.
         """

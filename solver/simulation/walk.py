@@ -15,7 +15,7 @@ from .steps.column import NONE
 from .steps.locate import BEYOND, EVENT, LOST, MOST_STEPS
 from .steps.run import MOST_PHASES
 from .steps.state import AnyState, State
-from .steps.step import REFUSED
+from .steps.step import CHATTERS, REFUSED
 
 #: Windows of a search for events that take about as long as what else a phase takes.
 STRETCH = 10
@@ -94,6 +94,8 @@ def walk(
         s, surface = passed.s, passed.surface
         segments.append(machine.recorded(p, state, place.t, s, surface))
         most -= effort(window, s)
+        if passed.how == CHATTERS:
+            return segments, place, _chatter(case, segments[-1], s + passed.left)
         if passed.how not in (EVENT, REFUSED) or most < 1:
             return segments, place, _ended(segments[-1], passed.how)
         t = place.t + Fraction(s)
@@ -109,7 +111,8 @@ def walk(
             segments.append(machine.recorded(passed.away, passed.behind, t, left, NONE))
             t += Fraction(left)
         elif accumulates(_last(segments)) and (passed.left or not machine.has_rest(surface)):
-            return segments, place, f"chatter: {_chatter(case, segments)}"
+            before, last = segments[-2].s, segments[-1].s
+            return segments, place, _chatter(case, segments[-1], end_of(last, before, last))
         if len(segments) >= MOST_PHASES:
             words = f"{MOST_PHASES} phases are the most that one motion may have"
             return segments, place, words
@@ -131,11 +134,10 @@ def _last(segments: list[Segment]) -> list[float]:
     return [math.inf] * (CHATTER - len(last)) + last
 
 
-def _chatter(case: Case, segments: list[Segment]) -> str:
-    """Return in words where the switches accumulate."""
-    before, last = segments[-2].s, segments[-1].s
-    when = end_of(float(segments[-1].t) + last, before, last) * case.units.time
+def _chatter(case: Case, last: Segment, s: float) -> str:
+    """Return in words where the switches accumulate: so long behind the last phase's start."""
     return (
-        f"{segments[-1].phase.name} ends ever sooner, the switches accumulate at "
-        f"t = {when:.9g} s, and the scene does not say what follows"
+        f"chatter: {last.phase.name} ends ever sooner, the switches accumulate at "
+        f"t = {float(last.t + Fraction(s)) * case.units.time:.9g} s, "
+        "and the scene does not say what follows"
     )

@@ -91,3 +91,15 @@ def test_what_was_held_leaves_once_and_stops_at_the_last_digit(mu, angle) -> Non
     own, ended, found, other_ended = followed(case, State(0.0, 0.0, angle), 6)
     assert ended == other_ended == ""
     check(own, found, 1e-14)
+
+
+@pytest.mark.parametrize("restitution", [1e-9, 1e-6, 1e-3, 0.3])
+def test_impacts_that_are_too_low_to_be_located_accumulate(restitution) -> None:
+    """Of a body a flight that is lower than rounding takes far longer than it should."""
+    case = registry.load("impact")(restitution=restitution, frequency=0.3, damping=0.3)
+    own, ended, found, other_ended = followed(case, None, 6)
+    assert ended.startswith("chatter: flight ends ever sooner")
+    assert other_ended[:50] == ended[:50]
+    one, other = (float(words.split("t = ")[1].split(" s")[0]) for words in (ended, other_ended))
+    assert other == pytest.approx(one, rel=1e-8)
+    assert len(found) <= len(own)

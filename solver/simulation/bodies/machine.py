@@ -16,6 +16,7 @@ from ..machine import Machine
 from ..nodes import InState
 from ..steps import step, switches
 from ..steps.clock import Clock
+from ..steps.column import NONE
 from ..steps.rules import Rules
 from ..steps.state import AnyState
 from ..steps.step import Passed
@@ -58,9 +59,13 @@ class BodyMachine(Machine):
         return self.regimes[p].window
 
     def step(self, p: int, state: BodyState, clock: Clock, most: float) -> Passed:
-        """Follow a phase from where it begins, for a time at most, and across its switch."""
+        """Follow a phase from where it begins, for a time at most, and across its switch.
+
+        Jumps that are too low to be located, and do not end in a rest, accumulate.
+        """
         passed: Passed = self.by("step", p, state, clock, most)
-        return passed
+        accumulate = passed.left > 0 and passed.away == NONE
+        return passed._replace(how=step.CHATTERS) if accumulate else passed
 
     def still(self, angle: float) -> AnyState:
         """Return the state at rest where nothing is displaced."""

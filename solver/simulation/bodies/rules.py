@@ -213,6 +213,8 @@ def jumping(rules: Rules, p: int, surface: int, after: int, state: BodyState) ->
         return 0.0
     i, rho, _ = hit[0]
     row = regime.contacts[1, i]
+    if regime.leading(row, Y, False):  # whether it moves away is not known
+        return 0.0
     v, a = row @ Y, row @ regime.generator @ Y
     jerk = row @ regime.generator @ regime.generator @ Y
     resolved = RESOLVED * NOISE * (np.abs(regime.contacts[0, i]) @ np.abs(Y))

@@ -25,13 +25,14 @@ def time_left(v: float, a: float, jerk: float, rho: float, resolved: float) -> f
     rho : float
         The velocity there over that before.
     resolved : float
-        Height of a jump that is seen: lower ones are rounding.
+        Height of a jump that is seen: lower ones are rounding, if what presses them lasts.
     """
     if not (-1 < rho <= 0 and v * a < 0):
         return 0.0
     left = -2 * v / (a * (1 + rho))
     short = left * left * max(1.0, abs(jerk / a)) <= LEFT
-    return left if short or v * v <= 2 * abs(a) * resolved else 0.0
+    unseen = v * v <= 2 * abs(a) * resolved and left * abs(jerk) <= abs(a)
+    return left if short or unseen else 0.0
 
 
 def put_last(last: list[float], s: float) -> None:

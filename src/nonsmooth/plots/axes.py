@@ -14,6 +14,7 @@ SETTINGS: Any = {
     "axes.grid": True,
     "grid.alpha": 0.3,
     "axes.axisbelow": True,
+    "agg.path.chunksize": 5000,  # a line of many points takes less than a second
     "svg.hashsalt": "nonsmooth",
     "svg.fonttype": "path",
 }

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 #: What each quantity is called on an axis.
 LABELS = HISTORIES | {"force": "contact force [N]"}
 
+#: About how many points of a motion are drawn for each wave, and at most in all.
+POINTS, MOST = 100, 200_000
+
 #: Part of the time, at the end, that is drawn over the rest in the phase plane.
 LATE = 0.2
 
@@ -30,17 +33,27 @@ def draw(
 ) -> Any:
     """Draw a simulated motion and return the axes; see `Simulation.plot`."""
     check_quantity(quantity, (*motion.quantities, PLANE))
-    axes = axes_or_new(ax)
-    times, *values = map(np.concatenate, zip(*motion.samples(), strict=True))
-    late = times >= since
-    columns = {name: each[late] for name, each in zip(motion.quantities, values, strict=True)}
+    return _drawn(_columns(motion), axes_or_new(ax), quantity, since=since, **style)
+
+
+def _columns(motion: "Simulation") -> dict[str, Any]:
+    """Return times and quantities along a motion, fewer a wave where there are many waves."""
+    waves = sum(q.s / q.wave(motion.case.cell.omega) for q in motion.segments)
+    samples = motion.samples(min(POINTS, MOST / max(waves, 1.0)))
+    found = map(np.concatenate, zip(*samples, strict=True))
+    return dict(zip(("t", *motion.quantities), found, strict=True))
+
+
+def _drawn(
+    columns: dict[str, Any], axes: Any, quantity: str, *, since: float = 0.0, **style: Any
+) -> Any:
+    """Draw a quantity of a motion, or its phase plane, from a time on; return the axes."""
+    late = columns["t"] >= since
     look = {"color": "0.25", "linewidth": 0.8} | style
-    if quantity == PLANE:
-        axes.plot(columns["displacement"], columns["velocity"], **look)
-        axes.set(xlabel=HISTORIES["displacement"], ylabel=HISTORIES["velocity"])
-    else:
-        axes.plot(times[late], columns[quantity], **look)
-        axes.set(xlabel="$t$ [s]", ylabel=LABELS[quantity])
+    x, y = ("displacement", "velocity") if quantity == PLANE else ("t", quantity)
+    axes.plot(columns[x][late], columns[y][late], **look)
+    labels = LABELS | {"t": "$t$ [s]"}
+    axes.set(xlabel=labels[x], ylabel=labels[y])
     return axes
 
 
@@ -50,15 +63,16 @@ def simulation_figure(motion: "Simulation") -> Figure:
     Displacement and velocity are drawn, and of a body the contact force.
     """
     figure = Figure(figsize=(9, 4.8), layout="constrained")
+    columns = _columns(motion)
     drawn = [name for name in motion.quantities if name != "acceleration"]
     panels = figure.subplot_mosaic([[name, PLANE] for name in drawn], width_ratios=(1.6, 1))
     for name in drawn:
-        draw(motion, panels[name], name).label_outer()
+        _drawn(columns, panels[name], name).label_outer()
     plane, colour = panels[PLANE], about("hb").look["color"]
-    draw(motion, plane, PLANE, color="0.7", linewidth=0.6, label="from the start")
+    _drawn(columns, plane, PLANE, color="0.7", linewidth=0.6, label="from the start")
     words = f"the last {100 * LATE:.0f} % of the time"
     since = (1 - LATE) * motion.time
-    draw(motion, plane, PLANE, since=since, color=colour, linewidth=1.4, label=words)
+    _drawn(columns, plane, PLANE, since=since, color=colour, linewidth=1.4, label=words)
     plane.legend(loc="lower left", bbox_to_anchor=(0, 1.0), frameon=False, fontsize=8)
     say_below(figure, described(motion.case))
     return figure
