@@ -1,5 +1,6 @@
 """Motions seen once a period of the forcing: along a parameter, and from a grid of starts."""
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor
 from itertools import repeat
@@ -14,6 +15,8 @@ from .simulation.bodies import turns
 from .simulation.bodies.machine import BodyMachine
 from .simulation.machine import Machine
 from .simulation.machines import machine_of
+from .simulation.settle import slowest_decay
+from .simulation.simulate import cycle
 from .simulation.steps.state import AnyState, State
 from .simulation.walk import strobed
 
@@ -23,9 +26,12 @@ TRANSIENT, KEPT, CYCLES = 200, 50, 100
 #: Most periods of an attractor.
 LONGEST = 16
 
-#: Differences of states of one attractor, and of states a period of it apart, as parts of the
-#: largest.
-ONE, AGAIN = 1e-3, 1e-6
+#: Differences of states of one attractor, and of states a period of it apart, as parts of its
+#: largest: the second where a transient decays in a period, less where it lasts; and rounding.
+ONE, AGAIN, ROUNDING = 1e-3, 1e-6, 1e-10
+
+#: Least size of a displacement or a velocity, as a part of the other over a turn by 1 rad.
+LEAST = 1e-3
 
 #: Most values, most periods, and most starts.
 MOST_VALUES, MOST_CYCLES, MOST_STARTS = 10_000, 100_000, 4_000_000
@@ -137,7 +143,9 @@ def basins(
     for value, row in zip(vs, rows, strict=True):
         tails.append(row)
         seen(float(value))
-    attractors, index = _classified(np.array(tails))
+    decay = slowest_decay(case.cell) * cycle(case.cell)
+    speed = case.units.of_motion(1) / case.units.length * case.cell.omega
+    attractors, index = _classified(np.array(tails), decay, speed)
     return Basins(case, xs, vs, attractors, index)
 
 
@@ -157,22 +165,26 @@ def _tails(case: Case, xs: Vector, v: float, cycles: int) -> Matrix:
     return found
 
 
-def _classified(tails: Matrix) -> tuple[tuple[Attractor, ...], Integers]:
+def _classified(
+    tails: Matrix, decay: float, omega: float
+) -> tuple[tuple[Attractor, ...], Integers]:
     """Return the attractors of motions by their last states, and the number of that of each.
 
-    It is -1 where a motion does not repeat itself, and -2 where there is none.
+    It is -1 where a motion does not repeat itself, and -2 where there is none.  A transient
+    may decay by as little as `decay` in a period of the forcing.
     """
     rows, columns, _, _ = tails.shape
-    sizes = np.nanmax(np.abs(tails), axis=(0, 1, 2), initial=0.0)
-    sizes[sizes == 0] = 1.0
     found: list[Attractor] = []
     index = np.full((rows, columns), -2, dtype=np.int64)
     for i in range(rows):
         for j in range(columns):
-            tail = tails[i, j] / sizes
-            if np.isnan(tail).any():
+            if np.isnan(tails[i, j]).any():
                 continue
-            period = _period(tail)
+            x, v = np.abs(tails[i, j]).max(axis=0)
+            sizes = np.array([max(x, LEAST * v / omega), max(v, LEAST * x * omega)])
+            sizes[sizes == 0] = 1.0
+            tail = tails[i, j] / sizes
+            period = _period(tail, decay)
             if period is None:
                 index[i, j] = -1
                 continue
@@ -189,11 +201,11 @@ def _classified(tails: Matrix) -> tuple[tuple[Attractor, ...], Integers]:
     return tuple(found), index
 
 
-def _period(tail: Matrix) -> int | None:
+def _period(tail: Matrix, decay: float) -> int | None:
     """Return after how many periods of the forcing states repeat, twice; None if never."""
     for period in range(1, LONGEST + 1):
         pairs = tail[-period:] - tail[-2 * period : -period]
-        if np.abs(pairs).max() <= AGAIN:
+        if np.abs(pairs).max() <= max(-AGAIN * math.expm1(-decay * period), ROUNDING):
             return period
     return None
 

@@ -20,7 +20,7 @@ from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.orders import Order, OrderedScene, Step, half_if_mirrored
-from .bodies.regime import slowest_decay
+from .bodies import regime
 from .machine import Machine
 from .machines import machine_of
 from .record import Segment, Simulation
@@ -161,13 +161,13 @@ def _followed(case: Case, start: AnyState, most: int) -> Settled:
 
 def _lasting(cell: Cell) -> float:
     """Return for how many cycles transients may last by the damping; `CYCLES` at least."""
-    return max(CYCLES, DECAYS / (_slowest_decay(cell) * cycle(cell)))
+    return max(CYCLES, DECAYS / (slowest_decay(cell) * cycle(cell)))
 
 
-def _slowest_decay(cell: Cell) -> float:
+def slowest_decay(cell: Cell) -> float:
     """Return the least rate at which a transient of a damped phase decays; infinite if none."""
     if isinstance(cell, BodyCell):
-        return slowest_decay(cell)
+        return regime.slowest_decay(cell)
     damped = [phase for phase in cell.phases if not phase.held and phase.c > 0]
     rates = [-root.real for phase in damped for root in flow.roots(phase)]
     return min((rate for rate in rates if rate > 0), default=math.inf)
@@ -255,7 +255,7 @@ def _repeated(
         whole = abs(turns - round(turns)) <= max(NEAR, rough)
         if cell.forced and not (round(turns) and whole):
             continue
-        near = rough or NEAR * -math.expm1(-_slowest_decay(cell) * passed)
+        near = rough or NEAR * -math.expm1(-slowest_decay(cell) * passed)
         size = min(1.0, max(max(map(abs, q.state)) for q in again))
         pairs = zip(done[-2 * length :], done[-3 * length : -length], strict=True)
         if all(_same(one, two, near, size) for one, two in pairs) and (

@@ -64,10 +64,19 @@ def test_no_motion_begins_behind_the_stop() -> None:
 
 
 def test_what_does_not_repeat_itself_has_no_attractor() -> None:
-    undamped = ns.scene("clearance")(force=0.3, damping=0.0, gap=1.0, frequency=2.0)
+    undamped = ns.scene("clearance")(force=0.3, damping=0.0, gap=1.0, frequency=2.1)
     found = ns.basins(undamped, [0.1], [0.0])
     assert (found.index.tolist(), found.attractors) == ([[-1]], ())
     assert "1  not settled" in str(found)
+    (every_second,) = ns.basins(undamped.with_value("frequency", 2.0), [0.1], [0.0]).attractors
+    assert every_second.cycles == 2  # where only rounding is left of the velocity
+
+
+def test_what_decays_in_millions_of_periods_has_not_settled() -> None:
+    slow = ns.scene("clearance")(damping=1e-8, stiffness=4.0, frequency=1.0, gap=100.0)
+    assert set(ns.basins(slow, [-1.0, 1.0], [0.0]).index.flat) == {-1}
+    damped = slow.with_value("damping", 0.05)
+    assert ns.basins(damped, [0.0, 1e9], [0.0]).index.tolist() == [[-1, -1]]
 
 
 def test_rows_may_be_computed_elsewhere(found) -> None:
