@@ -174,3 +174,9 @@ def test_without_matplotlib_the_extra_is_named(kind: str, monkeypatch) -> None:
     monkeypatch.setattr("nonsmooth.extras.find_spec", lambda name: None)
     with pytest.raises(ns.MissingExtra, match=r"matplotlib: pip install 'nonsmooth\[plot\]'"):
         found.plot()
+
+
+def test_a_long_simulation_is_drawn_by_fewer_points(axes) -> None:
+    motion = ns.simulate(ns.scene("impact")(gap=1e3), cycles=10_000)
+    motion.plot(axes)
+    assert 200_000 <= len(axes.lines[0].get_xdata()) < 210_000

@@ -100,6 +100,8 @@ def test_impacts_that_are_too_low_to_be_located_accumulate(restitution) -> None:
     own, ended, found, other_ended = followed(case, None, 6)
     assert ended.startswith("chatter: flight ends ever sooner")
     assert other_ended[:50] == ended[:50]
-    one, other = (float(words.split("t = ")[1].split(" s")[0]) for words in (ended, other_ended))
+    one, other = (
+        float(words.split("t = ")[1].split(" s")[0]) for words in (ended, other_ended)
+    )
     assert other == pytest.approx(one, rel=1e-8)
     assert len(found) <= len(own)
