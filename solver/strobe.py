@@ -135,7 +135,7 @@ def basins(
     """
     _check_forced(case)
     whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
-    xs, vs = (_axis(name, values) for name, values in (("x", x), ("v", v)))
+    xs, vs = map(_axis, ("x", "v"), (x, v), _units(case.of_fullest())[:2])
     whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
     case, each = case.of_fullest(), map if executor is None else executor.map
     rows = each(_tails, repeat(case), repeat(xs), vs, repeat(cycles))
@@ -259,8 +259,10 @@ def _several(name: str, values: Iterable[float]) -> list[float]:
     return list(values)
 
 
-def _axis(name: str, values: Sequence[float]) -> Vector:
+def _axis(name: str, values: Sequence[float], unit: float) -> Vector:
     found = _several(name, values)
-    if not found or not all(is_number(value) for value in found):
-        raise ValueError(f"{name}: got {values!r:.80}, expected finite numbers")
+    within = (is_number(value) and math.isfinite(float(value) / float(unit)) for value in found)
+    if not found or not all(within):
+        expected = "finite numbers, within float64 in the units of the scene"
+        raise ValueError(f"{name}: got {values!r:.80}, expected {expected}")
     return np.array(found, dtype=float)

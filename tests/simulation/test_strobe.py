@@ -128,6 +128,9 @@ def test_what_a_motion_remembers_is_handed_on() -> None:
         (lambda: ns.diagram(ns.scene("stick-slip")(), "mass", [1.0]), "nothing forces"),
         (lambda: ns.basins(STOP, [], [0.0]), "x: got"),
         (lambda: ns.basins(STOP, [0.0], [math.nan]), "v: got"),
+        (lambda: ns.basins(STOP, 0.0, [0.0]), "x: got 0.0"),
+        (lambda: ns.basins(STOP, [1e308], [0.0]), r"x: got \[1e.308\]"),
+        (lambda: ns.diagram(STOP, "gap", 0.1), "values: got 0.1"),
         (lambda: ns.basins(STOP, [0.0], [0.0], 5), "cycles: got 5"),
     ],
 )
