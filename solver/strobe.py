@@ -45,7 +45,7 @@ def diagram(
 
     At each value the motion begins where that at the value before was left; from rest at the
     first, and where that ended before or no phase takes its state.  Of a body it is the first
-    contact that is seen.
+    contact that is seen, and that goes on from its place where the modes are others.
 
     Parameters
     ----------

@@ -22,11 +22,18 @@ def test_a_diagram_begins_as_the_motion_from_rest(name: str) -> None:
     assert found[:, 1] == pytest.approx(motion.velocity(t), abs=1e-12)
 
 
-@pytest.mark.parametrize("name", SCENES)
-def test_it_goes_on_where_the_value_before_was_left(name: str) -> None:
-    """In other units: the contact is at the same place, at the same velocity."""
+@pytest.mark.parametrize(
+    ("name", "parameter", "factor"),
+    [
+        *((name, "frequency", 1.1) for name in SCENES),
+        ("absorber-friction", "absorber_mass", 2.0), ("beam-impact", "modes", 0.8),
+        ("beam-impact", "modes", 1.2),
+    ],
+)  # fmt: skip
+def test_it_goes_on_where_the_value_before_was_left(name: str, parameter, factor) -> None:
+    """In other units and modes: the contact is at the same place, at the same velocity."""
     own = ns.scene(name)()
-    other = own.with_value("frequency", 1.1 * own.values["frequency"])
+    other = own.with_value(parameter, factor * own.values[parameter])
     one, two = machine_of(own.cell), machine_of(other.cell)
     _, last = turns(own, one, one.at_rest(0.0), 7)
     again = from_si(other, two, in_si(own, one, last))

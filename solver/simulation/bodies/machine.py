@@ -73,9 +73,13 @@ class BodyMachine(Machine):
 
     def released(self, x: float, v: float, angle: float) -> AnyState:
         """Return the state nearest to rest with a place and a velocity of the first contact."""
+        return self.remembered(self.put(self.still(angle), x, v))
+
+    def put(self, state: BodyState, x: float, v: float) -> BodyState:
+        """Return the state nearest to one with a place and a velocity of the first contact."""
         rows = self.regimes[0].contacts[:2, 0].copy()
         rows[:, self.regimes[0].states + 2] -= x, v
-        return self.remembered(on(rows, self.still(angle)))
+        return on(rows, state)
 
     def resting(self, angle: float) -> Iterator[AnyState]:
         """Yield states at rest: at 0, and where a phase leaves the body in balance."""

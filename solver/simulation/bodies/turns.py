@@ -45,16 +45,24 @@ def turns(
 
 
 def in_si(case: Case, machine: BodyMachine, state: BodyState) -> Vector:
-    """Return a state as ``(eta, eta', memory)`` of the modes, in SI units."""
-    return np.array([*state.y, *state.memory]) * _units(case, machine)
+    """Return a state as ``(x, x', eta, eta', memory)`` of first contact and modes, in SI units."""
+    seen = machine.regimes[0].contacts[:2, 0] @ state.full
+    return np.array([*seen, *state.y, *state.memory]) * _units(case, machine)
 
 
 def from_si(case: Case, machine: BodyMachine, values: Vector) -> BodyState:
-    """Return the state where the phase of the forcing is 0; see `in_si`."""
-    own = values / _units(case, machine)
-    states = 2 * len(machine.cell.body.squares)
-    y, memory = (tuple(map(float, q)) for q in (own[:states], own[states:]))
-    return BodyState(y, 0.0, memory=memory)
+    """Return the state where the phase of the forcing is 0; see `in_si`.
+
+    Of a body whose modes are others, the nearest to theirs with the contact at its place.
+    """
+    more, count = len(machine.cell.memory), len(machine.cell.body.squares)
+    own, other = values[2 : len(values) - more].reshape(2, -1), np.zeros((2, count))
+    common = min(count, own.shape[1])
+    other[:, :common] = own[:, :common]
+    given = np.array([*values[:2], *other.ravel(), *values[len(values) - more :]])
+    x, v, *rest = (given / _units(case, machine)).tolist()
+    y, memory = tuple(rest[: 2 * count]), tuple(rest[2 * count :])
+    return machine.put(BodyState(y, 0.0, memory=memory), x, v)
 
 
 def _units(case: Case, machine: BodyMachine) -> Vector:
@@ -62,4 +70,5 @@ def _units(case: Case, machine: BodyMachine) -> Vector:
     root = units.mass**0.5
     places = root * units.of_motion(0) / w
     memory = [units.of_motion(q.power) for q in machine.cell.memory]
-    return np.array([*places, *np.full(len(w), root * units.of_motion(1)), *memory])
+    seen = [units.of_motion(0), units.of_motion(1)]
+    return np.array([*seen, *places, *np.full(len(w), root * units.of_motion(1)), *memory])
