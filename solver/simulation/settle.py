@@ -286,7 +286,9 @@ def _declared(cell: Cell, repeated: tuple[Segment, ...]) -> Settled | None:
     count, one = len(cell.phases), repeated
     for _ in repeated:
         own = one[:count]
-        declared = [(q.index, q.mirrored) for q in own] == [(p, False) for p in range(count)]
+        declared = [q.step or Step(q.index, q.mirrored) for q in own] == [
+            *map(Step, range(count))
+        ]
         whole = not cell.forced or abs(sum(q.s for q in own) - cell.duration) <= NEAR
         if len(one) == count * cell.cells and declared and whole:
             words = f"a simulation settles on {', '.join(q.phase.name for q in own)}"

@@ -213,6 +213,24 @@ def test_a_switch_that_its_event_forbids_is_not_taken(velocity) -> None:
     assert "no phase of the scene takes the state" in motion.ended
 
 
+def test_a_phase_that_ends_at_another_event_than_its_own_is_not_that_of_the_order() -> None:
+    """The stop is declared to end where the mass would slide on, and ends where it turns."""
+    forward, backward = (1, 0, -1, 0.3), (-1, 0, 1, 0.3)
+    friction = made(
+        [(1, 0.1, 1, 0.3, 1), (1, 0, 0, 0, 0)],
+        [(0, 1, 0, 0), backward],
+        omega=0.5,
+        half=True,
+        held=(None, 0.0),
+        demands=[{"it slides": (0, -1, 0, 0)}, {"the load": forward, "holds": backward}],
+    )()
+    found = next(rough_times_by_simulation(friction))
+    assert found.times is None
+    assert found.words.startswith(f"{OTHER}: phase 0, -phase 1, -phase 0, phase 1, in each")
+    durations = [phase.duration for phase in ns.exact(friction).phases]
+    assert durations == pytest.approx(2 * list(found.other.times.durations), abs=1e-3)
+
+
 def some_motions(count: int, seed: int):
     """Yield cases of every scene with random parameters, and what was said of them."""
     rng = np.random.default_rng(seed)

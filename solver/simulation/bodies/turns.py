@@ -45,7 +45,7 @@ def turns(
 
 
 def in_si(case: Case, machine: BodyMachine, state: BodyState) -> Vector:
-    """Return a state as ``(x, x', eta, eta', memory)`` of first contact and modes, in SI units."""
+    """Return a state as ``(x, x', eta, eta', memory)``: of contact and modes, in SI units."""
     seen = machine.regimes[0].contacts[:2, 0] @ state.full
     return np.array([*seen, *state.y, *state.memory]) * _units(case, machine)
 
