@@ -252,3 +252,28 @@ def test_a_row_rests_on_a_stop_until_it_is_pulled_off(monkeypatch, tmp_path) -> 
             assert (-(force @ X) if rests else gap - X[n - 1]) >= -1e-10
             X = step @ X
         X[2 * n - 1] *= rests
+
+
+def test_without_rebound_rounding_is_no_velocity(monkeypatch, tmp_path) -> None:
+    """A body of one mass on a stop, and the scene of one mass."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    g, Omega = sp.symbols("g Omega", positive=True)
+    body = Body(M=[[0.7]], K=[[3.3]], C=[[0.2]], forcing=[1], at={"end": [1]})
+    end = body.at["end"]
+    stop = Event(end.x - g, jump={end.v: 0})
+    flight = Phase("flight", end.force, stop, {"before the stop": g - end.x})
+    rest = Phase("rest", end.a, Event(end.force), {"it presses": -end.force}, held=0)
+    parameters = (
+        Parameter("gap", g, "m", 0.17, "gap"),
+        Parameter("frequency", Omega, "rad/s", 0.9, "frequency"),
+    )
+    own = Scene("mass", "a mass", parameters, (flight, rest), frequency=Omega, body=body)
+    values = {"gap": 0.17, "frequency": 0.9, "mass": 0.7, "stiffness": 3.3, "damping": 0.2}
+    one, case = ns.scene("impact-inelastic")(**values), ns.scene(own)()
+    for angle in range(5):
+        motion = ns.simulate(case, cycles=8, forcing_phase=angle)
+        expected = ns.simulate(one, (0, 0), cycles=8, forcing_phase=angle)
+        assert motion.ended == ""
+        assert [q.name for q in motion.phases] == [q.name for q in expected.phases]
+        starts = [[q.start for q in each.phases] for each in (motion, expected)]
+        assert starts[0] == pytest.approx(starts[1], abs=1e-12)

@@ -67,12 +67,13 @@ class Regime:
     def leading(self, row: Vector, Y: Vector, zero: bool) -> int:
         """Return the order of the first derivative that is not zero; `TERMS` if none is.
 
-        States are known to the rounding of their way in a unit of time, also where they are 0.
+        Places and velocities are known to the rounding of their way in a unit of time, also
+        where they are 0.
         """
         far = np.abs(Y)
         way = far + np.abs(self.generator) @ far
         for order in range(TERMS):
-            value, size = abs(row @ Y), np.abs(row) @ (far if order else way)
+            value, size = abs(row @ Y), np.abs(row) @ (way if order < 2 else far)
             known = zero and order == 0 and value <= ON_IT * np.abs(row).sum() * np.abs(Y).max()
             if value > NOISE * size and not known:
                 return order
