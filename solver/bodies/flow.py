@@ -14,10 +14,10 @@ from .modal import BodyError
 WORST = 1e9
 
 #: Most that a vector is turned by what rounding left of it: where it is more, poles are one.
-TURN = 1e-8
+TURN = 1e-6
 
-#: Least that a pole is corrected by, as a part of it: less is rounding.
-SHIFT = 8 * np.finfo(float).eps
+#: Least that a pole is corrected by, as a part of it, and a vector turned: less is rounding.
+SHIFT, TURNED = 8 * np.finfo(float).eps, 1e-12
 
 #: Least turn or decay, over a phase, of a pole against what drives it.
 CLEAR = 0.1
@@ -191,8 +191,9 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
 def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Complex]:
     """Return eigenvalues and vectors with the digits that their own sizes allow.
 
-    Those of a matrix of many sizes come with the rounding of the largest.  What is left of
-    ``A v - s v``, where the slow ones have hardly a part in the quick rows, corrects them.
+    Those of a matrix of many sizes come with the rounding of the largest, or where parts are
+    coupled by rounding alone, with its square root.  What is left of ``A v - s v``, where the
+    slow ones have hardly a part in the quick rows, corrects them.
     """
     try:
         left = np.linalg.solve(vectors, A @ vectors - vectors * poles)
@@ -200,8 +201,9 @@ def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Comple
         return poles, vectors
     apart = poles - poles[:, None] + np.eye(len(poles))
     turns = left / np.where(apart == 0, 1.0, apart) - np.diag(np.diag(left))
-    alone = np.abs(turns).max(axis=0, initial=0.0) < TURN
-    counts = alone & (np.abs(np.diag(left)) > SHIFT * np.abs(poles))
+    turned = np.abs(turns).max(axis=0, initial=0.0)
+    off = (np.abs(np.diag(left)) > SHIFT * np.abs(poles)) | (turned > TURNED)
+    counts = off & (turned < TURN)
     more = np.where(counts, np.vstack([np.diag(left), vectors @ turns]), 0.0)
     found = np.vstack([poles, vectors]) + more.astype(complex)
     found.imag[:, poles.imag == 0] = 0.0
