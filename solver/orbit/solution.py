@@ -127,7 +127,7 @@ class Solution(Shown):
 
     @cached_property
     def _disproof(self) -> tuple[str, ...]:
-        """What the exact solution next to this one violates; its own order, if there is none."""
+        """What the exact solution next to it violates; where there is none, its own order."""
         near = self._neighbour
         if near is None:
             return not_followed(self)

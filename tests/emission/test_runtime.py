@@ -49,7 +49,7 @@ def filled(count, x):
 
 @pytest.mark.parametrize("x", [*ARGUMENTS, *LARGE, -0.3, -4.4934, -61.2])
 def test_spherical_bessel_functions_keep_their_digits(x):
-    """Relative beyond the turn, n >= |x|; before it, where there are zeros, of the amplitude."""
+    """Relative beyond the turn, n >= |x|; before it, where zeros are, of the amplitude."""
     expected, got, size = np.array(bessel(61, x)), filled(61, x), abs(x)
     amplitude = np.array([0.0 if n >= size else 1 / max(size, 1) for n in range(61)])
     bound = np.maximum(2e-15 * np.maximum(np.abs(expected), amplitude), 1e-290)
