@@ -58,9 +58,7 @@ def without_work(monkeypatch) -> None:
             lambda figure, path, **options: Path(path).write_bytes(b"a picture"),
         )
     monkeypatch.setattr("nonsmooth.solver.precision.digits.measure", lambda *arguments: [])
-    monkeypatch.setattr(
-        "nonsmooth.solver.trade.measured.trade", lambda case, _: Trade(case, ())
-    )
+    monkeypatch.setattr("nonsmooth.cli.scenes.tradeoff.trade", lambda case, _: Trade(case, ()))
 
 
 @pytest.mark.usefixtures("without_work")

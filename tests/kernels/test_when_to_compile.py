@@ -2,6 +2,7 @@
 
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -17,7 +18,7 @@ def account(tmp_path: Path, monkeypatch) -> Account:
     """Return an account of nothing, of a kernel that is not cached; numba is not loaded."""
     monkeypatch.setattr(Account, "total", 0.0)
     monkeypatch.delenv("NUMBA_CACHE_DIR", raising=False)
-    monkeypatch.setattr(compiling.sys, "modules", {})
+    monkeypatch.setattr(compiling, "sys", SimpleNamespace(modules={}))
     return Account(str(tmp_path / "driver.py"), "iterate_0123")
 
 
@@ -52,7 +53,7 @@ def test_with_numba_there_a_cached_kernel_needs_little(
     account, tmp_path: Path, monkeypatch
 ) -> None:
     cached(account, tmp_path)
-    monkeypatch.setattr(compiling.sys, "modules", {"numba": None})
+    monkeypatch.setattr(compiling, "sys", SimpleNamespace(modules={"numba": None}))
     spend(account, 2 * LOAD)
     assert account.pays()
 
