@@ -52,18 +52,20 @@ def exact_orbit(
             raise
         return other
     unstable = case.scene.motion is None and is_stable(found) is False
-    return (settled_orbit(case) if unstable else None) or found
+    return (settled_orbit(case, beside=True) if unstable else None) or found
 
 
-def settled_orbit(case: Case) -> ExactOrbit | None:
+def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
     """Return the exact orbit on which a simulation settles in an order that is not declared.
 
-    None if there is none, or a motion is asked for.
+    None if there is none, or a motion is asked for.  `beside` one that is unstable another
+    that is so does not count.
     """
     if case.scene.motion is not None:
         return None
     found = (from_times(each, times) for each, times in settled_cases(case))
-    return next((q for q in found if q.outcome.converged and q.admissible), None)
+    orbits = (q for q in found if q.outcome.converged and q.admissible)
+    return next((q for q in orbits if not beside or is_stable(q) is not False), None)
 
 
 def _of_motion(

@@ -89,8 +89,8 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
     }
     seen: set[Order] = set()
     for settled in from_several_states(base, FEW if listed else PHASES):
-        other = settled.other
-        if other is None or other.cycles != case.cycles or other.order in seen:
+        other = settled.other.within(case.cycles) if settled.other else None
+        if other is None or other.order in seen:
             continue
         if settled.conclusive:
             seen.add(other.order)

@@ -67,8 +67,8 @@ def solve_case(
     def search(each: Case) -> Search:
         return search_of(each, method, order, functions)
 
-    def settled() -> Orbit | None:
-        exact = settled_orbit(case)
+    def settled(*, beside: bool = False) -> Orbit | None:
+        exact = settled_orbit(case, beside=beside)
         if exact is None or order < registry.kernel(exact.case.scene, method, functions).lowest:
             return None
         other = search(exact.case)
@@ -85,7 +85,7 @@ def solve_case(
         return other
     if case.scene.motion is None and is_stable(found) is False:
         with suppress(NoOrbit):  # the method may not have the stable one
-            return settled() or found
+            return settled(beside=True) or found
     return found
 
 

@@ -15,7 +15,7 @@ from .simulation.bodies import turns
 from .simulation.bodies.machine import BodyMachine
 from .simulation.machine import Machine
 from .simulation.machines import machine_of
-from .simulation.settle import slowest_decay
+from .simulation.repeats import slowest_decay
 from .simulation.simulate import cycle
 from .simulation.steps.state import AnyState, State
 from .simulation.walk import strobed

@@ -95,7 +95,7 @@ def test_an_orbit_that_is_not_stable_stays_where_a_method_lacks_the_stable_one(
     monkeypatch,
 ) -> None:
     other = exact_orbit(BOUNCES)
-    monkeypatch.setattr(solving, "settled_orbit", lambda case: other)
+    monkeypatch.setattr(solving, "settled_orbit", lambda case, **how: other)
     monkeypatch.setattr(solving.Search, "aside", lambda search, times: iter(()))
     single = BOUNCES.with_cycles(1)
     assert solve_case(single, "hb", 10).case == single

@@ -15,11 +15,13 @@ import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow import flow
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.scenes.orders import Order, Step
 from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.lasting import lasts
 from nonsmooth.solver.simulation.machine import Machine
-from nonsmooth.solver.simulation.settle import rough_times_by_simulation, settled
+from nonsmooth.solver.simulation.settle import Other, rough_times_by_simulation, settled
 from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps.state import State
 from nonsmooth.solver.simulation.walk import follow
@@ -229,6 +231,41 @@ def test_a_phase_that_ends_at_another_event_than_its_own_is_not_that_of_the_orde
     assert found.words.startswith(f"{OTHER}: phase 0, -phase 1, -phase 0, phase 1, in each")
     durations = [phase.duration for phase in ns.exact(friction).phases]
     assert durations == pytest.approx(2 * list(found.other.times.durations), abs=1e-3)
+
+
+def two_stops(
+    damping: float, force: float, left: float, right: float, rebound: float, turn: float
+):
+    """Return a mass between two stops: two phases of one equation, by the stop they end at."""
+    between = {"right of the left stop": (1, 0, 0, left), "left of it": (-1, 0, 0, right)}
+    return made(
+        [(1, damping, 1, 0, force)] * 2,
+        [(1, 0, 0, left), (1, 0, 0, -right)],
+        omega=turn,
+        jumps=((-rebound, 0),) * 2,
+        demands=(between, between),
+    )()
+
+
+def test_of_phases_with_one_equation_it_does_not_matter_which_is_followed() -> None:
+    """Only the left of two stops is hit, once a period; the mass is in either phase between."""
+    case = two_stops(0.15, 0.36, 0.35, 2.16, 0.22, 1.36)
+    (found,) = rough_times_by_simulation(case)
+    assert found.words == f"{OTHER}: phase 0, in each period of the forcing"
+    orbit = ns.exact(case)
+    assert [phase.name for phase in orbit.phases] == ["phase 0"]
+    assert orbit.stable
+
+
+def test_what_repeats_itself_after_two_periods_may_be_of_one() -> None:
+    """Times of a motion that comes to its orbit from both sides in turn are their means."""
+    order, times = Order((Step(0), Step(1)) * 2), RoughTimes((1.0, 2.0, 1.5, 2.5), 0.3, "")
+    twice = Other(order, times, 2)
+    assert twice.within(2) is twice
+    once = twice.within(1)
+    assert once == Other(Order((Step(0), Step(1))), replace(times, durations=(1.25, 2.25)), 1)
+    assert twice.within(3) is once.within(2) is None
+    assert replace(twice, order=Order((Step(0), Step(1), Step(1), Step(0)))).within(1) is None
 
 
 def some_motions(count: int, seed: int):

@@ -17,8 +17,8 @@ MUTANTS = (
     Mutant(
         "Newton's method does not start where a motion almost repeats",
         "solver/simulation/settle.py",
-        "_repeated(cell, motion.segments, ROUGH)",
-        "_repeated(cell, motion.segments)",
+        "repeated(cell, motion.segments, ROUGH)",
+        "repeated(cell, motion.segments)",
         ("tests/simulation/test_settle.py::test_newton_starts_where_a_motion_almost_repeats",),
     ),
     Mutant(
@@ -126,7 +126,7 @@ MUTANTS = (
     ),
     Mutant(
         "what has not settled is a start",
-        "solver/simulation/settle.py",
+        "solver/simulation/repeats.py",
         "off <= max(near * size, ROUNDING)",
         "True",
         (f"{SETTLE}::test_what_still_decays_has_not_settled",),
