@@ -21,8 +21,9 @@ from .filling import row_of
 #: Most corrections; those with derivatives of their own.
 MOST_CORRECTIONS, FRESH = 16, 3
 
-#: What a correction must be less than, as a part of the one before, not to be rounding.
-FALLING = 0.7
+#: What a correction must be less than, as a part of the one before, not to be rounding; and
+#: that the next may keep its derivatives, which cost as much as twenty corrections.
+FALLING, QUICK = 0.7, 0.1
 
 
 def gauges_at(plane: Any, table: Any, y: Vector) -> Vector:
@@ -77,9 +78,11 @@ def pinned(
     J, scales, rows = np.empty((n, n)), np.empty(n), np.empty(n, np.int64)
     step, before, direction = np.empty(n), np.inf, np.zeros(n)
     direction[n - 1] = 1.0
+    formed, fresh = 0, True
     for turn in range(MOST_CORRECTIONS):
         sides(plane, table, gauge, y, step)
-        if turn < FRESH:
+        if fresh:
+            formed += 1
             slopes(plane, table, gauge, y, border, J)
             scale_rows(J, scales)
             if not factorise(J, rows):
@@ -95,7 +98,7 @@ def pinned(
             break
         for j in range(n):
             y[j] -= step[j] / (plane[4][j] if j < n - 2 else 1.0)
-        before = size
+        fresh, before = formed < FRESH and size > QUICK * before, size
         if size <= ROUNDOFF:
             break
     solve_factorised(J, rows, direction)
