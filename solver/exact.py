@@ -1,7 +1,7 @@
 """The exact orbit of a scene of linear phases: the reference of every error."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import islice
+from itertools import chain, islice
 
 import numpy as np
 
@@ -58,14 +58,24 @@ def exact_orbit(
 def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
     """Return the exact orbit on which a simulation settles in an order that is not declared.
 
-    None if there is none, or a motion is asked for.  `beside` one that is unstable another
-    that is so does not count.
+    None if there is none, or a motion is asked for.  `beside` an unstable one it may be of a
+    declared order, and another that is unstable does not count.
     """
     if case.scene.motion is not None:
         return None
-    found = (from_times(each, times) for each, times in settled_cases(case))
+    starts = chain(_declared(case) if beside else (), settled_cases(case))
+    found = (from_times(each, times) for each, times in starts)
     orbits = (q for q in found if q.outcome.converged and q.admissible)
     return next((q for q in orbits if not beside or is_stable(q) is not False), None)
+
+
+def _declared(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
+    """Yield times on which simulations settle in declared orders, but where all is known."""
+    for each in case.each_motion:
+        if not known(each).listed:
+            for settled in rough_times_by_simulation(each):
+                if settled.times is not None:
+                    yield each, settled.times
 
 
 def _of_motion(

@@ -268,6 +268,23 @@ def test_what_repeats_itself_after_two_periods_may_be_of_one() -> None:
     assert replace(twice, order=Order((Step(0), Step(1), Step(1), Step(0)))).within(1) is None
 
 
+def test_of_two_orbits_of_the_declared_order_the_stable_one_is_found() -> None:
+    """Rough times lead to the other one: between a stop and a buffer."""
+    free, within = (1, 0.3698, 1, 0, 1), {"left": (-1, 0, 0, 0.768), "right": (1, 0, 0, 0.616)}
+    case = made(
+        [free, free, (1, 0.3698, 7.976, -6.976 * 0.616, 1)],
+        [(1, 0, 0, -0.768), (1, 0, 0, 0.616), (1, 0, 0, 0.616)],
+        omega=1.653,
+        jumps=((-0.793, 0), (1, 0), (1, 0)),
+        demands=(within, within, {"in the buffer": (-1, 0, 0, -0.616)}),
+    )()
+    stable = ns.exact(case)
+    other = exact_orbit(case, (1.556, 1.589, 0.656), 0.0718)
+    assert (stable.stable, other.stable) == (True, False)
+    assert stable.durations[0] < other.durations[0] - 0.4
+    assert ns.solve(case, "ck-tau", 12).stable
+
+
 def some_motions(count: int, seed: int):
     """Yield cases of every scene with random parameters, and what was said of them."""
     rng = np.random.default_rng(seed)
