@@ -29,8 +29,11 @@ stability: digits  # its old name
 test: $(VENV)/ready-all  ## the tests, in two processes
 	@env -u PYTHONDONTWRITEBYTECODE $(BIN)/python -m pytest -n 2 --dist loadgroup -m 'not long'
 
+# Compiled code looks at no index of its arrays: the second line lets it.
 test-long: $(VENV)/ready-all  ## all tests, 100,000 random oscillators among them: most of an hour
 	@EXAMPLES=100000 $(BIN)/python -m pytest -n 2 --dist loadgroup
+	@NUMBA_BOUNDSCHECK=1 NUMBA_CACHE_DIR=$(CURDIR)/$(OUTPUT)/checked \
+	  $(BIN)/python -m pytest -n 2 -m long tests/scenes/test_random_oscillators.py
 
 mutants: $(VENV)/ready-all  ## deliberate mistakes: which of them the tests catch
 	@cd tests && ../$(BIN)/python -m mutants
