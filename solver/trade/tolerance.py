@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..accuracy.estimate import ROUNDING
+from ..exact import exact_orbit
 from ..existence.known import known_orbits
 from ..kernels import registry
 from ..no_orbit import NoOrbit
@@ -32,6 +33,9 @@ PATIENCE, LEAST_FALL = 8, 0.9
 
 #: Error above which a motion may have more waves than the order resolves, and falls later.
 RESOLVED = 1e-3
+
+#: Power of 1/N below which the errors have not begun to converge: times do by one at least.
+SLOWEST = 0.75
 
 #: Times the highest order that the errors must need, by their rate, to be given up.
 FAR, FAR_AT_FIRST = 2, 30
@@ -75,7 +79,7 @@ def choose_order(
     if MARGIN * tol <= ROUNDING:
         raise NotCertified(tol, (), math.nan)
     last = kernel.lowest
-    for order in _orders(kernel.lowest, case.scene.has_body):
+    for order in search.orders(kernel.lowest):
         orbit = search.meets(order)
         if orbit is not None:
             orbit = search.lowest(last, order, orbit)
@@ -88,15 +92,6 @@ def choose_order(
     raise NotCertified(tol, tuple(search.trials), search.needed())
 
 
-def _orders(lowest: int, of_body: bool) -> Iterator[int]:
-    every, step = (EVERY_OF_BODIES, STEP_OF_BODIES) if of_body else (EVERY, STEP)
-    order = lowest
-    while order < HIGHEST_ORDER:
-        yield order
-        order += 1 if order < every else math.ceil(step * order)
-    yield HIGHEST_ORDER
-
-
 @dataclass
 class _Search:
     case: Case
@@ -105,6 +100,21 @@ class _Search:
     functions: int | None
     trials: list[Trial]
     finding: NoOrbit | None = None
+
+    def orders(self, lowest: int) -> Iterator[int]:
+        """Yield the orders to try, the highest at last.
+
+        Where none has had an orbit they are doubled: more than a few resolve a short phase.
+        """
+        of_body, order = self.case.scene.has_body, lowest
+        every, step = (EVERY_OF_BODIES, STEP_OF_BODIES) if of_body else (EVERY, STEP)
+        while order < HIGHEST_ORDER:
+            yield order
+            if order > max(COARSE) and not self.known():
+                order *= 2
+            else:
+                order += 1 if order < every else math.ceil(step * order)
+        yield HIGHEST_ORDER
 
     def meets(self, order: int) -> Orbit | None:
         """Return the orbit of an order if it is within the tolerance; note what it is."""
@@ -170,13 +180,20 @@ class _Search:
             return 0.0
         orders, errors = np.log(np.array(known[len(known) // 2 :])).T
         power, at_1 = np.polyfit(orders, errors, 1)
-        if power >= 0:
+        if power > -SLOWEST:
             return 0.0
         return float(np.exp(min((math.log(MARGIN * self.tol) - at_1) / power, 700.0)))
+
+    def _is_there(self) -> bool:
+        """Whether an exact orbit is known: any order starts from it, else all start alike."""
+        try:
+            return bool(exact_orbit(self.case))
+        except NoOrbit:
+            return False
 
     def hopeless(self) -> bool:
         """Whether no order that can be computed will do; a fit to few orders is not trusted."""
         if not self.known():
-            return self.trials[-1].order > max(COARSE)  # the starts are the same at any order
+            return self.trials[-1].order > max(COARSE) and not self._is_there()
         far = FAR if self.trials[-1].order > 2 * EVERY else FAR_AT_FIRST
         return self.needed() > far * HIGHEST_ORDER

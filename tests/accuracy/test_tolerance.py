@@ -75,6 +75,22 @@ def test_what_float64_cannot_is_said(run, method: str | None, tol: float) -> Non
     assert (status, out, "float64" in err or "would need N" in err) == (1, "", True)
 
 
+@pytest.mark.parametrize(("method", "tol"), [("c1", 1e-2), ("c1", 1e-8)])
+def test_orders_go_on_to_those_that_resolve_a_short_phase(method: str, tol: float) -> None:
+    """At N = 13 there is no orbit yet; from the times of the exact one there is at N = 17."""
+    orbit = ns.solve(belt_at(1e-5), method, tol=tol)
+    assert 17 <= orbit.order <= 20
+    assert true_errors(orbit) <= tol
+
+
+def test_errors_that_do_not_fall_yet_are_not_extrapolated() -> None:
+    """A force just above friction moves the mass little: waves have to be that short first."""
+    case = ns.scene("dry-friction")(force=0.3001)
+    with pytest.raises(ns.NotCertified) as caught:
+        ns.solve(case, "hb", tol=0.1)
+    assert caught.value.needed < 1e6
+
+
 @pytest.mark.parametrize("value", ["0", "-1e-3", "1", "nan", "inf"])
 def test_a_tolerance_that_is_none(run, value: str) -> None:
     status, out, err = run("solve", f"--tol={value}")
