@@ -14,6 +14,11 @@ FEWEST = 6
 #: Errors below these are rounding: of the times, and of the derivative that jumps.
 FLOORS = {"times": 1e-13, "discontinuous": 1e-12}
 
+#: Where the errors of a method by factors have come to so many times the least, over so many
+#: orders, and fall by less than this part of what they did: rounding of an orbit that answers
+#: strongly to it.
+NEAR, MANY, PART = 10.0, 5, 0.5
+
 TOO_FEW = "too few orders"
 
 
@@ -76,7 +81,8 @@ def slope(
     errors : iterable of (int, float)
         Order and error.
     floor : float
-        Errors up to it are rounding, and left out.
+        Errors up to it are rounding, and left out; of a method by factors also those at the
+        end that do not fall any more.
     power : bool
         Whether over the logarithm of the order, or over the order.
     upper_half : bool
@@ -90,6 +96,8 @@ def slope(
     """
     known = {order: abs(error) for order, error in errors}
     above = sorted(order for order, error in known.items() if floor < error < math.inf)
+    if not power:
+        above = _falling(above, known)
     if len(above) < fewest:
         return None
     scale: Callable[[float], float] = math.log10 if power else float
@@ -99,3 +107,16 @@ def slope(
         first = min(int(np.searchsorted(x, (x[0] + x[-1]) / 2)), len(x) - fewest)
         x, y = x[first:], y[first:]
     return float(-np.polyfit(x, y, 1)[0])
+
+
+def _falling(orders: list[int], errors: dict[int, float]) -> list[int]:
+    """Return the orders up to which errors fall by factors; all, if they do to the last."""
+    near = NEAR * min((errors[order] for order in orders), default=0.0)
+    first = next((i for i, order in enumerate(orders) if errors[order] <= near), 0)
+    before, level = orders[: first + 1], orders[first:]
+    if first == 0 or len(level) < MANY:
+        return orders
+    falls = [
+        np.polyfit(part, np.log([errors[q] for q in part]), 1)[0] for part in (before, level)
+    ]
+    return orders[:first] if falls[1] > PART * falls[0] else orders

@@ -60,3 +60,12 @@ def test_dots_that_stand_for_nothing(text: str) -> None:
 
 def test_dots_stand_for_a_factor() -> None:
     assert parse_orders("1,3,9,...,243") == (3 ** np.arange(6)).tolist()
+
+
+@pytest.mark.parametrize("last", [9, 14, 30])
+def test_rounding_above_the_floor_is_not_fitted(last: int) -> None:
+    """So it is of an orbit that answers strongly to it, as of a stiff spring."""
+    errors = [(N, max(10.0**-N, 1e-8 * (1 + N % 3))) for N in range(1, last)]
+    assert slope(errors, 1e-12, power=False) == pytest.approx(1.0, abs=0.05)
+    slow = [(N, 10 ** (-0.1 * N)) for N in range(1, 40)]
+    assert slope(slow, 1e-12, power=False) == pytest.approx(0.1)
