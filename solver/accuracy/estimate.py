@@ -20,7 +20,7 @@ import numpy as np
 from ..kernels import registry
 from ..orbit.condition import moved_times
 from ..orbit.errors import Errors, difference
-from ..orbit.motion import Motion
+from ..orbit.motion import LOOK, Motion
 from ..orbit.solution import Solution, attempt
 from ..scenes.methods import FIRST
 
@@ -64,12 +64,41 @@ def _with_rounding(orbit: Solution, near: Motion, found: Errors) -> Errors:
     left, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(near)
     free = 0.0 if orbit.case.cell.forced else shared  # a forcing makes the period known
     turned = 2 * math.pi * shared  # times are parts of a period, and this of a radian
+    there, derivative = (EPSILON * part for part in cancelled(near))
     return Errors(
         period=found.period + left + max(ROUNDING, free),
         times=found.times + left + max(ROUNDING, shared),
-        discontinuous=found.discontinuous + left + max(DERIVATIVE_ROUNDING, turned),
-        switches=found.switches + left + max(ROUNDING, shared),
+        discontinuous=found.discontinuous + left + max(DERIVATIVE_ROUNDING, turned, derivative),
+        switches=found.switches + left + max(ROUNDING, shared, there),
     )
+
+
+def cancelled(motion: Motion) -> tuple[float, float]:
+    """Return how much larger the forces on a mass are than what they come to.
+
+    That is rounded by their parts: the displacement over a phase, and the acceleration.  What
+    forces a structure is made of is in its condition number alone.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> from nonsmooth.solver.exact import exact_orbit
+    >>> case = registry.load("dry-friction")(force=0.3001)  # hardly more than friction
+    >>> [f"{part:.0e}" for part in cancelled(exact_orbit(case))]
+    ['2e+04', '2e+03']
+    """
+    if motion.case.scene.has_body:
+        return 0.0, 0.0
+    parts, whole = np.zeros(2), np.zeros(2)
+    for p, phase in enumerate(motion.case.cell.phases):
+        if phase.held:
+            continue
+        force, time = (abs(phase.f) + abs(phase.g)) / phase.m, motion.cell_durations[p]
+        answer = min(time**2 / 2, phase.m / abs(phase.k) if phase.k else math.inf)
+        sizes = [float(np.abs(motion.part(p, LOOK, order)).max()) for order in (0, 2)]
+        parts, whole = np.maximum(parts, (force * answer, force)), np.maximum(whole, sizes)
+    there, force = (float(a / b) if b else 0.0 for a, b in zip(parts, whole, strict=True))
+    return there, force
 
 
 def _against_the_exact_orbit(orbit: Solution) -> Errors:

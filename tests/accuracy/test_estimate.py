@@ -206,3 +206,15 @@ def test_it_covers_modes_that_ring_on_in_a_contact(order: int) -> None:
     case = ns.scene("beam-clearance")(modes=8, ratio=1e-4)
     orbit = ns.solve(case, "ck-tau", order)
     assert orbit.errors.times <= orbit.estimate.times <= 2 * orbit.errors.times
+
+
+@pytest.mark.parametrize("order", [6, 8, 12])
+@pytest.mark.parametrize("excess", [1e-3, 1e-4, 1e-5])
+def test_it_covers_what_forces_that_nearly_cancel_are_rounded_by(order, excess) -> None:
+    """Then a mass moves by little, and its displacement is rounded by that of a larger one."""
+    case = ns.scene("dry-friction")(force=0.3 + excess)
+    orbit = ns.solve(case, "c1-tau", order)
+    off, found = orbit.errors, orbit.estimate
+    assert off is not None
+    assert off.switches <= 2 * found.switches
+    assert off.discontinuous <= 2 * found.discontinuous
