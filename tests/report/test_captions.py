@@ -226,3 +226,13 @@ def test_a_series_without_an_orbit_is_told_instead(missing: str) -> None:
     orbit = SimpleNamespace(period=0.6)
     text = other_tests(Fake(orbit=lambda method, N: orbit, missing=[(missing, 8)]))
     assert text == f"In this case {missing} has no orbit at N = 8."
+
+
+def test_an_error_that_rises_is_not_said_to_fall() -> None:
+    """So does that with one C1 function, where slip is too short for its harmonics."""
+    by_order = {"hb": lambda N: N**-0.5, "hb-c1": lambda N: 0.01 * N, "c1": lambda N: 0.1**N}
+    kinds = ("acceleration", "acceleration at equal times")
+    made = Fake({(kind, m): error for m, error in by_order.items() for kind in kinds})
+    text = PLATES[5].text(made)
+    assert "hb like N" in text
+    assert "hb-c1 like" not in text

@@ -33,7 +33,7 @@ def step(height: float):
     return lambda t, t1, T: height * ((t >= t1) & (t < (t1 + T) / 2))
 
 
-@pytest.mark.parametrize("alpha", [0.01, 1.0, 50.0])
+@pytest.mark.parametrize("alpha", [1e-8, 0.01, 1.0, 50.0, 1e5, 1e6])
 def test_the_exact_orbit_passes(alpha: float) -> None:
     for check in (motion.smooth, motion.never_faster, motion.centred, motion.g1_is_c1):
         assert check(Fake(alpha=alpha)).holds

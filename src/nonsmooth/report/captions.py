@@ -145,7 +145,7 @@ def _three_methods(case: Case) -> dict[str, Any]:
 
 def _acceleration(case: Case) -> dict[str, Any]:
     rates = [(method, case.rate("acceleration", method)) for method in ("hb", "hb-c1")]
-    fall = [f"{method} like {power_of_order(rate)}" for method, rate in rates if rate]
+    fall = [f"{method} like {power_of_order(q)}" for method, q in rates if q and q > 0]
     rise = [f"{method} {len(rising(case, method))}" for method in METHODS]
     return {
         "fall": listed(fall) or "how is not to be said here",

@@ -27,6 +27,7 @@ def smooth(case: Case) -> Finding:
         for quantity in ("displacement", "velocity", "acceleration")
     )
     size = ROUNDING * (case.belt.amplitude + case.belt.slip_centre)
+    size += 4 * np.spacing(exact.period) * omega * case.belt.amplitude  # times are rounded, too
     continuous = max(*np.abs(x), *np.abs(v / omega)) <= size
     falls = case.belt.largest_jump
     holds = continuous and max(a) <= -falls + size * omega**2
@@ -57,7 +58,7 @@ def centred(case: Case) -> Finding:
 
 
 def g1(t1: float, T: float, t: Vector, derivative: int) -> Vector:
-    """Return ``g1`` of (12) over ``T (T - t1)**3``, or its derivative, in ``[0, T)``."""
+    """Return ``g1`` of (12) over ``T (T - t1)**3``, or its derivative, in ``[0, T]``."""
     u = np.maximum(t - t1, 0.0) / (T - t1)
     if derivative == 0:
         return u * u * (3 - 2 * u) - t / T
@@ -67,7 +68,7 @@ def g1(t1: float, T: float, t: Vector, derivative: int) -> Vector:
 def g1_is_c1(case: Case) -> Finding:
     """Return whether ``g1`` and its derivative have no jump."""
     t1, T = case.exact.t1, case.exact.period
-    after, before = np.array([t1, 0.0]), np.nextafter([t1, T], 0)
+    after, before = np.array([t1, 0.0]), np.array([np.nextafter(t1, 0), T])
     jumps = [T**d * (g1(t1, T, after, d) - g1(t1, T, before, d)) for d in (0, 1)]
     steepest = T / (T - t1)
     words = (
