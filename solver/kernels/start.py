@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Vector
-from ..iteration.newton import Outcome, newton
+from ..iteration.newton import ITERATION_LIMIT, Outcome, newton
 from ..scaling import equilibrated
 from ..scenes.case import Case
 from ..scenes.cell import Cell
@@ -94,13 +94,15 @@ def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Ve
     return z
 
 
-def solved(kernel: Kernel, given: Any, size: int, times: Vector) -> Outcome:
+def solved(
+    kernel: Kernel, given: Any, size: int, times: Vector, limit: int = ITERATION_LIMIT
+) -> Outcome:
     """Return where Newton's method leads from rough times: see `with_coefficients`."""
     if kernel.condensed:
         z = np.concatenate([np.zeros(size - len(times)), times])
     else:
         z = with_coefficients(kernel, given, size, times)
-    found = newton(kernel.iterate, given, z)
+    found = newton(kernel.iterate, given, z, limit)
     if not kernel.condensed or kernel.signals:  # of a body, times are all it solves for
         return found
     R = np.empty(size)

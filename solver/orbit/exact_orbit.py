@@ -8,7 +8,7 @@ import numpy as np
 from ..arrays import Vector
 from ..bodies.exact import left_open, magnitudes
 from ..flow.exact_system import exact_kernel
-from ..iteration.newton import Outcome, newton
+from ..iteration.newton import ITERATION_LIMIT, Outcome, newton
 from ..kernels.kernel import Kernel
 from ..kernels.start import RoughTimes, solved
 from ..scenes.bodies.cell import BodyCell
@@ -27,6 +27,10 @@ SAME, EQUAL = 1e-11, 1e-13
 
 #: How far from closed a body may be, as a part of its states.
 CLOSED = 1e-8
+
+#: Most iterations for one mass: a step lengthens a phase by a part of itself, and one may last
+#: a hundred million times as long as another.
+LIMIT = 80
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -111,7 +115,8 @@ def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     kernel = exact_kernel(case.cell)
     times = np.array([*start.durations, *([start.angle] if kernel.forced else [])])
     with kernel.spending():
-        outcome = solved(kernel, case.cell, kernel.size(1), times)
+        limit = ITERATION_LIMIT if case.scene.has_body else LIMIT
+        outcome = solved(kernel, case.cell, kernel.size(1), times, limit)
     orbit = case.presented(ExactOrbit(case, outcome))
     return _kept(orbit) if kernel.condensed else orbit
 

@@ -95,3 +95,12 @@ def test_a_case_of_the_scene_is_the_papers() -> None:
     again = pickle.loads(pickle.dumps((BELT, orbit, ns.exact(BELT))))
     assert again == (BELT, orbit, ns.exact(BELT))
     assert [type(each) for each in again] == [ns.StickSlip, StickSlipOrbit, ExactStickSlipOrbit]
+
+
+@pytest.mark.parametrize("alpha", [1e-8, 1e7, 1e8])
+def test_the_exact_orbit_is_found_as_far_as_parameters_go(alpha: float) -> None:
+    belt = ns.StickSlip(**SECTION_4 | {"normal_force": 400.0 * alpha})
+    stick, slip = ns.exact(belt).durations
+    expected = 2 * belt.alpha, np.pi + 2 * np.arctan(1 / belt.alpha)
+    off = belt.omega_n * np.array([stick, slip]) - expected
+    assert np.abs(off).max() <= 1e-15 * sum(expected)
