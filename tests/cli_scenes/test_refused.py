@@ -117,6 +117,10 @@ REFUSED = {
         ("gap=0:1:3 --orders 1-3", "expected one order"),
         ("gap=0:1:3 --methods hb,ck", "expected one method"),
         ("restitution=0.5:2:3", "--vary: restitution: got 1.25"),
+        ("gap=0:1:3 --vary mass=1:2:3", "--vary: got gap=0:1:3 and mass=1:2:3, expected one"),
+    ],
+    "branch impact": [
+        ("--vary gap=0:1 --vary mass=1:2", "--vary: got gap=0:1 and mass=1:2, expected one"),
     ],
     "modes": [
         ("beam-mas", "did you mean beam-mass?"),
@@ -149,6 +153,7 @@ REFUSED = {
         ("beam-mass --vary mass=1:1:3", "two different numbers"),
         ("beam-mass --vary mass=1:2:3 --mass 3", "--mass: given beside --vary mass"),
         ("beam-mass --vary mass=1:2:1", "--vary: got '1' points"),
+        ("beam-mass --vary mass=1:2:3 --vary mass=2:3:3", "and mass=2:3:3, expected one"),
         ("beam-mass --vary mass=1:2:3 --method all", "expected one method"),
         ("beam-mass -o modes.txt", "-o: got modes.txt, expected a name that ends in"),
     ],
@@ -178,6 +183,7 @@ REFUSED = {
         ("impact --state 1,2", "flight not true that the mass stays before the stop"),
         ("impact --cycles 0", "--cycles: got 0.0, expected a positive number"),
         ("impact --vary gap=0:1:3 --gap 1", "--gap: given beside --vary gap, which sets it"),
+        ("impact --vary gap=0:1:3 --vary mass=1:2:3", "mass=1:2:3, expected one of them"),
         ("impact --time -1", "--time: got -1.0, expected a positive number"),
         ("impact --time 1 --cycles 2", "--time: got 1.0 beside cycles"),
         (

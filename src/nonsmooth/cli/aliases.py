@@ -43,6 +43,21 @@ class Aliased(click.Option):
             self.opts = shown
 
 
+class Once(click.Option):
+    """An option that is given once: another would take the place of the first in silence."""
+
+    def __init__(self, names: Sequence[str], **options: Any) -> None:
+        super().__init__(names, multiple=True, callback=_only, **options)
+
+
+def _only(ctx: click.Context, option: click.Parameter, given: tuple[Any, ...]) -> Any:
+    """Return what an option was given; None without it."""
+    if len(given) > 1:
+        every = " and ".join(map(str, given))
+        raise Problem(f"{option.opts[0]}: got {every}, expected one of them")
+    return given[0] if given else None
+
+
 class OneOrder(IntegerType):
     """One order, in the ways in which `sweep` takes several."""
 

@@ -9,7 +9,7 @@ from nonsmooth.solver.kernels.registry import methods
 from nonsmooth.solver.scenes.methods import in_order, shown
 
 from ..about import PREFIX, flag
-from ..aliases import Aliased, OneOrder
+from ..aliases import Aliased, Once, OneOrder
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
@@ -82,7 +82,7 @@ def of_sweep(scene: "LoadedScene") -> list[click.Parameter]:
         ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
         *of_motion(scene),
-        click.Option(
+        Once(
             ["--vary"], metavar="NAME=FROM:TO:POINTS",
             help="Follow the orbit along a parameter instead, by one method at one order.",
         ),
@@ -98,7 +98,7 @@ def of_branch(scene: "LoadedScene") -> list[click.Parameter]:
     )  # fmt: skip
     names = ", ".join(method_names(scene))
     return [
-        click.Option(
+        Once(
             ["--vary"], metavar="NAME=FROM:TO", required=True,
             help="The parameter, and its range.",
         ),
@@ -132,7 +132,7 @@ def of_map(scene: "LoadedScene") -> list[click.Parameter]:
 def of_simulate(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth simulate``; some look once a period of the forcing."""
     once_a_period = [
-        click.Option(
+        Once(
             ["--vary"], metavar="NAME=FROM:TO:COUNT",
             help="Draw a bifurcation diagram: the states once a period of the forcing, behind "
             "a transient, as a parameter takes so many values.",

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..about import PREFIX, CommandAbout, Output, Verb, flag
+from ..aliases import Once
 from ..output import DATA, PICTURES
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def _of_modes(structure: "Structure") -> list[click.Parameter]:
         click.Option(
             ["--tol"], type=float, help="Choose N: largest relative error of a frequency."
         ),
-        click.Option(
+        Once(
             ["--vary"], metavar="NAME=FROM:TO:POINTS",
             help="Modes over a parameter or the position.",
         ),
