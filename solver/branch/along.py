@@ -85,14 +85,16 @@ class Interval:
     def halves_about(self, value: float) -> "Iterator[Interval]":
         """Yield it, its half about a value in it, and so on; one at least.
 
-        An end at which the value is, but for rounding, stays an end.
+        An end at which the value is, but for rounding, stays an end; one that is near stays
+        until the other is as near, or steps would only ever go a part of the way to it.
         """
         low, high = self.low, self.high
         shortest, same = SHORTEST * abs(value), EQUAL * abs(value)
         yield self
         while high - low > shortest:
-            low = (low + value) / 2 if value - low > same else low
-            high = (high + value) / 2 if high - value > same else high
+            below, above = value - low, high - value
+            low = (low + value) / 2 if below > max(same, above / 2) else low
+            high = (high + value) / 2 if above > max(same, below / 2) else high
             yield Interval(low, high)
 
 

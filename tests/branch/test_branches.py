@@ -189,6 +189,13 @@ def test_halves_about_an_end_keep_it_and_are_few(off: float) -> None:
         assert {part.high for part in at_high} == {0.7}
 
 
+def test_halves_near_an_end_keep_it_until_the_other_is_as_near() -> None:
+    """Else a branch would only ever go a part of the way to an end."""
+    parts = list(islice(Interval(0.1, 0.7).halves_about(0.11), 7))
+    assert [part.low for part in parts[:5]] == [0.1] * 5
+    assert parts[6].low > 0.1
+
+
 def test_the_course_of_a_declared_motion_has_its_name() -> None:
     for motion in MOTIONS:
         case = motion()
