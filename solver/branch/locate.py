@@ -1,14 +1,16 @@
 """Where in a step of a branch something happens, the orbit there, and how well it is known."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from ..arrays import Vector
 from .along import returns
 from .piece import NoStepError, Piece, Place
-from .walk import FLIP, FOLD, MEETS, OUTSIDE, OWN
+from .walk import FLIP, FOLD, MEETS, NEUTRAL, OUTSIDE, OWN
 
 #: How far back what happens in a step is looked for again, in steps.
 BACK = 1.25
@@ -81,13 +83,20 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
     """
     from scipy.optimize import brentq  # noqa: PLC0415  (300 ms)
 
-    def value(at: float) -> float:
-        place = piece.stepped(before, at) if at else before
-        turns = i - (len(place.gauges) - OWN) == OUTSIDE
-        found = beyond_circle(piece, place) if turns else float(place.gauges[i])
-        return 1.0 if np.isnan(found) else found
+    def place_at(at: float) -> Place:
+        return piece.stepped(before, at) if at else before
+
+    def own(place: Place) -> float:
+        return float(place.gauges[i])
 
     try:
+        turns = i - (len(before.gauges) - OWN) == OUTSIDE
+        gauge = leaving(piece, *map(place_at, ends)) if turns else own
+
+        def value(at: float) -> float:
+            found = gauge(place_at(at))
+            return 1.0 if np.isnan(found) else found
+
         at = float(brentq(value, *ends, xtol=1e-300, rtol=1e-14, maxiter=200))
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
@@ -180,10 +189,9 @@ def turning(
         low, one, high, other = parts.pop()
         if not abs(other.gauges[which] - one.gauges[which]) > 1:
             continue
-        sides = beyond_circle(piece, one), beyond_circle(piece, other)
-        if sides[0] * sides[1] < 0:
+        with suppress(NoStepError):
             at, place = root(piece, before, (low, high), which)
-            if abs(beyond_circle(piece, place)) <= ZERO * max(map(abs, sides)):
+            if _turns(piece, place, one, other):
                 yield at, Found("torus", None, None, piece, place, which)
                 continue
         if abs(high - low) > SHORT * abs(length):
@@ -192,15 +200,40 @@ def turning(
             parts += [(low, one, at, middle), (at, middle, high, other)]
 
 
-def beyond_circle(piece: Piece, place: Place) -> float:
-    """Return how far outside the unit circle that complex multiplier is which is nearest to it.
+def leaving(piece: Piece, one: Place, other: Place) -> Callable[[Place], float]:
+    """Return what vanishes between two orbits where more multipliers come to be outside.
 
-    Not a number where none is complex.
+    It is how far outside the unit circle the first is that is not at both.  Where that is on
+    the circle at one of them, since nothing is lost, it is how far beyond rounding.
     """
+    k, inside = _first(one, other)
+    size = abs(multipliers(piece, inside)[k]) - 1
+    least = NEUTRAL if abs(size) <= NEUTRAL else 0.0
+    return lambda place: float(abs(multipliers(piece, place)[k]) - 1 - least)
+
+
+def _first(one: Place, other: Place) -> tuple[int, Place]:
+    """Return how many multipliers are outside at the one of two orbits with fewer, and it."""
+    counts = [place.gauges[len(place.gauges) - OWN + OUTSIDE] for place in (one, other)]
+    return int(min(counts)), (one, other)[int(np.argmin(counts))]
+
+
+def _turns(piece: Piece, place: Place, one: Place, other: Place) -> bool:
+    """Whether a complex multiplier crosses the unit circle at a place between two orbits.
+
+    It does not if it is real, or comes back from infinity.
+    """
+    k, inside = _first(one, other)
+    value, *sides = (multipliers(piece, each)[k] for each in (place, one, other))
+    apart = [abs(abs(each) - 1) for each in (value, *sides)]
+    near = ZERO if abs(abs(multipliers(piece, inside)[k]) - 1) > NEUTRAL else np.sqrt(ZERO)
+    return bool(abs(value.imag) > TURNED * abs(value) and apart[0] <= near * max(apart))
+
+
+def multipliers(piece: Piece, place: Place) -> Any:
+    """Return the multipliers of a cell before it is mirrored, the largest first."""
     values = np.linalg.eigvals(piece.maps(place)[0])
-    values = values[np.abs(values.imag) > TURNED * np.abs(values)]
-    beyond = np.abs(values) - 1
-    return float(beyond[np.argmin(np.abs(beyond))]) if len(values) else np.nan
+    return values[np.argsort(-np.abs(values), kind="stable")]
 
 
 def _word_of_duration(piece: Piece, p: int) -> str:

@@ -170,6 +170,20 @@ def test_what_is_unstable_changes_only_where_something_happens(name: str) -> Non
             crossed += 2 if event.kind == "torus" else 1
 
 
+def test_a_torus_without_loss_is_where_pairs_leave_the_circle() -> None:
+    """All are on it at the one side, beyond a pair is outside by the root of the way to it."""
+    own = ns.scene("chain-impact")(damping=0, restitution=1)
+    (event,) = ns.branch(own, "frequency", 0.4945, 0.4952).events
+    assert event.kind == "torus"
+    assert event.estimate < 1e-14
+    sizes = []
+    for off in (-4e-11, -1e-11, 1e-11):
+        there = own.with_value("frequency", event.parameter + off)
+        sizes.append(np.abs(stability(exact_orbit(there)).multipliers).max() - 1)
+    assert sizes[0] / sizes[1] == pytest.approx(2, rel=0.1)
+    assert sizes[2] < 1e-10
+
+
 #: Imaginary part below which a pair of multipliers is nearly one: errors grow like 1 over it.
 NEAR = 0.01
 
