@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arrays import Integers, Matrix, Vector
 from ..flow.exact_system import arrays
-from ..scenes.cell import Cell, Form
+from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
 
 #: Terms of a series; those that are rounding, as a part of the largest.
@@ -42,7 +42,7 @@ class Along(NamedTuple):
         Chebyshev coefficients of its other entries, and of the forms of a table.
     divided : ndarray of int, shape (P,)
         How often the row of the event of each phase is divided by its duration: twice, where
-        a phase begins without what the event is the second integral of.
+        a phase begins without what the event is the second integral of, or three times.
     weights : ndarray, shape (unknowns + 1,)
         1 over the size of each unknown, the parameter the last.
     before : int
@@ -109,7 +109,8 @@ def framed(cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
     for p in range(len(cell.phases)):
         begins = begins_still if divided[p] else begins_slowly
         if all(begins(each, p) for each in cells):
-            divided[p] = 2
+            slowly = not (divided[p] or of_speed(cell, p))
+            divided[p] = 3 if slowly else 2
     given = found.kinds, found.setting, series, divided, weights(cell, z)
     return Along(*given, before, float(cell.sign))
 
@@ -212,8 +213,7 @@ def divided_phases(cell: Cell, durations: Vector) -> Integers:
 
 def returns(cell: Cell, p: int) -> bool:
     """Whether a phase begins on the surface where it ends, the form as it was at the switch."""
-    before, phase = cell.phases[p - 1], cell.phases[p]
-    before = mirror(before) if p == 0 and cell.sign < 0 else before
+    before, phase = earlier(cell, p, 1), cell.phases[p]
     width = phase.width
     remembers = any(phase.event[width:]) or any(before.event[width:])
     leaps = remembers or before.leaps(phase.event)
@@ -227,15 +227,32 @@ def begins_still(cell: Cell, p: int) -> bool:
 
 
 def begins_slowly(cell: Cell, p: int) -> bool:
-    """Whether a phase that ends without speed begins with none, and without acceleration.
+    """Whether a phase begins with no speed and no acceleration, and is to come back to that.
 
     It begins where a rest ends by what it takes to hold the mass: the force of the phase, which
-    changes with the forcing.
+    changes with the forcing.  It ends without speed, or where the mass rested.
     """
-    before, phase = cell.phases[p - 1], cell.phases[p]
-    before = mirror(before) if p == 0 and cell.sign < 0 else before
-    of_speed = phase.event[1] and not any((phase.event[0], *phase.event[2:]))
+    before, phase = earlier(cell, p, 1), cell.phases[p]
     at_rest = before.held and before.speed == before.d == 0
-    if phase.held or not (at_rest and of_speed and phase.g) or cell.memory:
+    if phase.held or not (at_rest and phase.g) or cell.memory:
         return False
-    return same(before.event, (-phase.k, 0.0, phase.g, phase.f))
+    force = -phase.k, 0.0, phase.g, phase.f
+    if of_speed(cell, p):
+        return same(before.event, force)
+    slope, *others, constant = phase.event
+    if any(others) or not same(earlier(cell, p, 2).event, phase.event):
+        return False
+    there = 0.0, 0.0, phase.g, phase.f + phase.k * constant / slope
+    return same(before.event, force) or same(before.event, there)
+
+
+def of_speed(cell: Cell, p: int) -> bool:
+    """Whether a phase ends without speed."""
+    event = cell.phases[p].event
+    return bool(event[1]) and not any((event[0], *event[2:]))
+
+
+def earlier(cell: Cell, p: int, by: int) -> Phase:
+    """Return a phase before another as that has it, if it is in the half period before."""
+    found = cell.phases[(p - by) % len(cell.phases)]
+    return mirror(found) if p < by and cell.sign < 0 else found

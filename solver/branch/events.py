@@ -38,6 +38,9 @@ def in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
     if first is None:
         return [event for _, event in events]
     here = [event for at, event in events if event.changes and at - first <= SAME * first]
+    vanish = (event for _, event in events if event.changes and event.column is None)
+    own = {event.phase: SAME * abs(event.value) for event in here}
+    here += [q for q in vanish if abs(q.value - here[0].value) <= own.get(q.phase, -1.0)]
     change = min(here, key=lambda each: -1 if each.column is None else (END - each.column) % 3)
     near = SAME * abs(change.value)
     before = (event for at, event in events if at < first and not event.changes)

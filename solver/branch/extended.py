@@ -17,10 +17,20 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import E_V, E_X, MEMORY, add_angle, add_event, event, joint_rates, joints
+from ...generated.ck import (
+    E_0,
+    E_V,
+    E_X,
+    MEMORY,
+    add_angle,
+    add_event,
+    event,
+    joint_rates,
+    joints,
+)
 from ..arrays import Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
-from ..flow.responses import by_force, by_forcing
+from ..flow.responses import by_change, by_force, by_forcing
 from ..iteration.iteration import ROUNDOFF, scale_rows
 from ..iteration.linear import factorise, solve_factorised
 
@@ -94,21 +104,27 @@ def sides_of(case: Any, divided: Any, z: Vector, R: Vector) -> None:
         if divided[p] != 0:
             s = z[2 * count + len(case[2]) + p]
             R[2 * count + p] = quotient(case, divided, z, at, gained, theta, p, s)
+        if divided[p] == 3:  # the joints say already that it gains nothing, not where
+            R[2 * p] = case[1][p, E_X] * z[2 * p] + case[1][p, E_0]
 
 
 def quotient(
     case: Any, divided: Any, z: Vector, at: Any, gained: Any, theta: Vector, p: int, s: float
 ) -> float:
-    """Return what the event of a phase gains, divided by its duration once or twice.
+    """Return what the event of a phase gains, divided by its duration one to three times.
 
     Twice where the phase begins without speed, and is to come back to where it began: what is
     gained is made of its forces alone.  Or where it begins without acceleration as well, and is
-    to have no speed again: that is made of the change of the forcing alone.
+    to have no speed again: that is made of the change of the forcing alone.  Three times where
+    it begins so, and is to come back.
     """
     if divided[p] == 1:
         _, change = event(case, z, at, gained, theta, p)
         return float(change / s)
     m, c, k, f, g = phase_numbers(case, z, p)
+    if divided[p] == 3:
+        change = by_change(m, c, k, case[4][1], theta[p], float(s))
+        return float(case[1][p, E_X] * g * change / (s * s * s))
     by_wave, _, by_angle, _ = by_forcing(m, c, k, case[4][1], theta[p], s)
     if case[1][p, E_X] == 0:
         return float(case[1][p, E_V] * case[4][1] * g * by_angle / (s * s))
@@ -139,12 +155,16 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
             s, n = z[at_s], divided[p]
             R[row] = quotient(case, divided, z, at, gained, theta, p, s)
             J[row, :] = 0.0
-            if n == 1 or case[1][p, E_X] != 0:
+            if n == 1 or (n == 2 and case[1][p, E_X] != 0):
                 add_event(case, J, row, at, gained_by, theta, p, 0.0, 1 / s**n)
                 J[row, at_s] -= n * R[row] / s
             else:  # a wave: a quarter of a turn on it is its own derivative
                 by_angle = quotient(case, divided, z, at, gained, theta + pi / 2, p, s)
                 add_angle(J, row, by_angle, case[4][1], 2 * count + len(case[2]), p)
+            if n == 3:  # see `sides_of`
+                R[2 * p] = case[1][p, E_X] * z[2 * p] + case[1][p, E_0]
+                J[2 * p, :] = 0.0
+                J[2 * p, 2 * p] = case[1][p, E_X]
             if n > 1:  # differences, since terms cancel where the duration vanishes
                 J[row, 2 * p + 1] = 0.0
                 h = DIFFERENCE / quickest(case, z, p)

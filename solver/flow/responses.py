@@ -8,6 +8,14 @@ from typing import Any
 
 from .divided import exp, expm1, of_three, of_two
 
+#: Nodes and weights of the rule of Gauss of 8 points, those above 0.
+GAUSS = (
+    (0.18343464249564980, 0.36268378337836198),
+    (0.52553240991632899, 0.31370664587788729),
+    (0.79666647741362674, 0.22238103445337447),
+    (0.96028985649753623, 0.10122853629037626),
+)
+
 
 def roots(m: float, c: float, k: float) -> tuple[complex, complex]:
     """Return the roots of ``m r**2 + c r + k = 0``, the one of smaller modulus first."""
@@ -62,6 +70,24 @@ def by_forcing(
     moved = turn * wave
     moving = turn * (complex(0.0, omega) * wave + of_two(small, large, s))
     return moved.real, moving.real, -moved.imag, -moving.imag
+
+
+def by_change(m: float, c: float, k: float, omega: float, angle: float, s: float) -> float:
+    """Return displacement after a time `s` of a force ``cos(omega t + angle) - cos(angle)``.
+
+    It is a third divided difference, one of its nodes 0: the integral of the second by time.
+    """
+    small, large = roots(m, c, k)
+    wave, zero = complex(0.0, omega), complex(0.0, 0.0)
+    if max(abs(small), abs(large), omega) * abs(s) > 1:
+        found = of_three(small, large, wave, s) - of_three(small, large, zero, s)
+    else:
+        found = zero
+        for i in range(len(GAUSS)):
+            node, weight = GAUSS[i]
+            for part in ((1 - node) / 2, (1 + node) / 2):
+                found += wave * (weight / 2 * s) * of_three(small, large, wave, part * s)
+    return (complex(cos(angle), sin(angle)) * found).real / m
 
 
 def state_at(

@@ -106,6 +106,20 @@ def test_a_slip_vanishes_where_friction_just_holds() -> None:
         assert event.parameter == pytest.approx(wanted, rel=1e-14)
 
 
+@pytest.mark.parametrize(
+    ("name", "ends", "expected"),
+    [("gap", (-3, 0.2), -1.0), ("force", (0.1, 1), 0.5), ("stiffness", (1, 3), 2.0)],
+)
+def test_a_flight_vanishes_where_the_stop_holds_the_mass_for_ever(name, ends, expected) -> None:
+    """Its force is there at most what the spring presses the mass on to the stop with."""
+    values = {"force": 1.0, "stiffness": 1.0} | ({} if name == "gap" else {"gap": -0.5})
+    found = ns.branch(ns.scene("impact-inelastic")(**values), name, *ends)
+    (event,) = [q for q in found.events if q.phase == "flight"]
+    assert event.kind == "sticking"
+    assert event.kind in found.why_it_ended
+    assert event.parameter == pytest.approx(expected, rel=2e-15)
+
+
 def joined_row(damping: sp.Matrix) -> Scene:
     """Return five masses in a row, the last on friction with the one before it."""
     F, f, Omega = sp.symbols("F f Omega", positive=True)

@@ -386,13 +386,22 @@ def test_a_flight_follows_a_rest_at_zero_but_for_rounding(frequency) -> None:
 def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
     """Beyond it there are no such orbits; before it a step is to be shorter."""
     fold = SimpleNamespace(changes=False, column=None, value=1.0)
-    ends = SimpleNamespace(changes=True, column=None, value=2.0)
+    ends = SimpleNamespace(changes=True, column=None, phase=0, value=2.0)
     found = [(0.3, None), (0.2, ends), (0.1, fold)]
     assert in_turn(found) == [fold, ends]
     with pytest.raises(NoStepError):
         in_turn([(0.15, None), *found])
     with pytest.raises(NoStepError):
         in_turn([(0.3, None), (0.1, fold)])
+
+
+def test_a_phase_vanishes_where_what_it_demands_is_found_but_for_rounding() -> None:
+    """What goes with a power of its duration is found to the root of rounding."""
+    demand = SimpleNamespace(changes=True, column=2, phase=0, value=1.0)
+    ends = SimpleNamespace(changes=True, column=None, phase=0, value=1.0)
+    other = SimpleNamespace(changes=True, column=None, phase=1, value=1.0)
+    assert in_turn([(0.3, demand), (0.3 + 1e-8, ends)]) == [ends]
+    assert in_turn([(0.3, demand), (0.3 + 1e-8, other)]) == [demand]
 
 
 TOUCH, FOLD = 0.8438679380114447, 1.2348990596842087

@@ -8,6 +8,7 @@ import pytest
 
 from nonsmooth.solver.flow import exact_system, flow
 from nonsmooth.solver.flow.divided import expm1, of_three, of_three_at, of_two, of_two_at
+from nonsmooth.solver.flow.responses import by_change
 from nonsmooth.solver.scenes.cell import Cell, Phase
 
 START, ANGLE = (0.7, -0.4), 0.9
@@ -128,6 +129,22 @@ def test_divided_differences_of_near_and_far_nodes(gap) -> None:
     for nodes in ((a, b, c), (c, a, b)):
         for found in (of_three(*nodes, 1.0), of_three_at(*nodes, t)[0]):
             assert found == pytest.approx(three, rel=2e-14)
+
+
+@pytest.mark.parametrize("s", [1e-9, -1e-3, 0.05, 0.7, 4.0])
+def test_what_the_change_of_a_force_moves_keeps_its_digits(s: float) -> None:
+    """Where it is as small as the third power of the time."""
+    m, c, k, omega, angle = 1.3, 0.4, 0.9, 1.1, 0.8
+    found = by_change(m, c, k, omega, angle, s)
+    with mp.workdps(30):
+        one, two = mp.polyroots([m, c, k])
+
+        def pushed(t):
+            answer = (mp.exp(one * (s - t)) - mp.exp(two * (s - t))) / (one - two) / m
+            return answer * (mp.cos(omega * t + angle) - mp.cos(angle))
+
+        expected = float(mp.re(mp.quad(pushed, [0, s])))
+    assert found == pytest.approx(expected, rel=1e-14, abs=0)
 
 
 def test_what_is_beyond_float64_is_infinite_or_no_number() -> None:

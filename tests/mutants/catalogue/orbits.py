@@ -378,8 +378,8 @@ MUTANTS = (
     Mutant(
         "a flight that begins without speed has its event divided once",
         "solver/branch/along.py",
-        "            divided[p] = 2\n",
-        "            divided[p] = divided[p]\n",
+        "divided[p] = 3 if slowly else 2\n",
+        "divided[p] = 3 if slowly else divided[p]\n",
         (f"{EVENTS}::test_what_happens_is_located_to_rounding",),
     ),
     Mutant(
