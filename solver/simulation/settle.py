@@ -82,11 +82,11 @@ class Other:
         of its periods.
         """
         parts, left = divmod(self.cycles, cycles)
-        count = len(self.order.steps) // max(parts, 1)
+        if left or parts < 2:
+            return None if left else self
+        count = len(self.order.steps) // parts
         steps = self.order.steps[:count]
-        if parts == 1 and not left:
-            return self
-        if left or self.order.half_period or steps * parts != self.order.steps:
+        if self.order.half_period or steps * parts != self.order.steps:
             return None
         means = np.reshape(self.times.durations, (parts, count)).mean(axis=0)
         times = replace(self.times, durations=tuple(means.tolist()))
