@@ -4,7 +4,7 @@ from itertools import pairwise
 from typing import Any
 
 from ..case import FLOORS, MOST, Case
-from ..words import number, percent, power_of_order
+from ..words import ROUNDING, number, percent, power_of_order
 from . import BAND, DOUBLED, THREE, UNSEEN, Finding, doubled
 
 #: Gibbs' constant: the overshoot of a Fourier series, in jumps.
@@ -117,8 +117,7 @@ def ripple_vanishes(case: Case) -> Finding:
 
 def no_ripple_at_3(case: Case) -> Finding:
     """Return whether it is gone already at the order of Fig. 5."""
-    over, without = (
-        max(case.measured("overshoot", method, THREE), 0.0) for method in ("hb-c1", "hb")
-    )
+    beyond = (case.measured("overshoot", method, THREE) for method in ("hb-c1", "hb"))
+    over, without = (part if part > ROUNDING else 0.0 for part in beyond)
     words = f"{percent(over, 2)} of the jump; without g₁ {percent(without, 2)}"
     return Finding(over < UNSEEN, words)
