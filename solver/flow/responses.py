@@ -6,15 +6,12 @@ As Python, and compiled by numba with the exact equations and with simulations.
 from math import copysign, cos, sin, sqrt
 from typing import Any
 
+import numpy as np
+
 from .divided import exp, expm1, of_three, of_two
 
-#: Nodes and weights of the rule of Gauss of 8 points, those above 0.
-GAUSS = (
-    (0.18343464249564980, 0.36268378337836198),
-    (0.52553240991632899, 0.31370664587788729),
-    (0.79666647741362674, 0.22238103445337447),
-    (0.96028985649753623, 0.10122853629037626),
-)
+#: Nodes and weights on ``(-1, 1)`` of the rule of Gauss of 8 points.
+NODES, WEIGHTS = (tuple(part.tolist()) for part in np.polynomial.legendre.leggauss(8))
 
 
 def roots(m: float, c: float, k: float) -> tuple[complex, complex]:
@@ -83,10 +80,9 @@ def by_change(m: float, c: float, k: float, omega: float, angle: float, s: float
         found = of_three(small, large, wave, s) - of_three(small, large, zero, s)
     else:
         found = zero
-        for i in range(len(GAUSS)):
-            node, weight = GAUSS[i]
-            for part in ((1 - node) / 2, (1 + node) / 2):
-                found += wave * (weight / 2 * s) * of_three(small, large, wave, part * s)
+        for i in range(len(NODES)):
+            part = (1 + NODES[i]) / 2 * s
+            found += wave * (WEIGHTS[i] / 2 * s) * of_three(small, large, wave, part)
     return (complex(cos(angle), sin(angle)) * found).real / m
 
 

@@ -233,23 +233,15 @@ def test_a_phase_that_ends_at_another_event_than_its_own_is_not_that_of_the_orde
     assert durations == pytest.approx(2 * list(found.other.times.durations), abs=1e-3)
 
 
-def two_stops(
-    damping: float, force: float, left: float, right: float, rebound: float, turn: float
-):
-    """Return a mass between two stops: two phases of one equation, by the stop they end at."""
-    between = {"right of the left stop": (1, 0, 0, left), "left of it": (-1, 0, 0, right)}
-    return made(
-        [(1, damping, 1, 0, force)] * 2,
-        [(1, 0, 0, left), (1, 0, 0, -right)],
-        omega=turn,
-        jumps=((-rebound, 0),) * 2,
-        demands=(between, between),
-    )()
-
-
 def test_of_phases_with_one_equation_it_does_not_matter_which_is_followed() -> None:
     """Only the left of two stops is hit, once a period; the mass is in either phase between."""
-    case = two_stops(0.15, 0.36, 0.35, 2.16, 0.22, 1.36)
+    case = made(
+        [(1, 0.15, 1, 0, 0.36)] * 2,
+        [(1, 0, 0, 0.35), (1, 0, 0, -2.16)],
+        omega=1.36,
+        jumps=((-0.22, 0),) * 2,
+        demands=({"between": (1, 0, 0, 0.35), "the stops": (-1, 0, 0, 2.16)},) * 2,
+    )()
     (found,) = rough_times_by_simulation(case)
     assert found.words == f"{OTHER}: phase 0, in each period of the forcing"
     orbit = ns.exact(case)
