@@ -6,7 +6,7 @@ one equation an event, and the length of the cell.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -62,13 +62,13 @@ Maps = list[tuple[Matrix, Matrix]]
 
 def _through(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix]:
     """Return what a cell makes of where it begins, and what the first `wave` adds to that."""
-    along, by_wave = maps[0]
-    closed, offset = np.eye(along.shape[-1]), np.zeros_like(by_wave)
+    passed, offset = [], np.zeros_like(maps[0][1])
     for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
-        across = part.closing.state
+        closing = part.closing
         offset = along @ offset + by_wave @ later(turns[..., p])
-        offset = across @ offset + part.closing.inputs @ later(turns[..., p + 1])
-        closed = across @ (along @ closed)
+        offset = closing.state @ offset + closing.inputs @ later(turns[..., p + 1])
+        passed += [along] if closing.keeps else [along, closing.state]
+    closed = reduce(lambda before, each: each @ before, passed)
     return cell.sign * closed, cell.sign * offset
 
 

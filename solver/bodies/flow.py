@@ -22,6 +22,9 @@ SHIFT, TURNED = 8 * np.finfo(float).eps, 1e-12
 #: Least turn or decay, over a phase, of a pole against what drives it.
 CLEAR = 0.1
 
+#: Exponent at which a mode has decayed to nothing: with less, products are slow denormal numbers.
+GONE = -300.0
+
 #: Where ``(e^z - 1 - z)/z^2`` is a series, and of how many terms.
 NEAR, TERMS = 0.1, 10
 
@@ -57,8 +60,10 @@ class Flow:
         """Return ``exp(A t)``; of several times a stack."""
         half = self.upper
         t, free = np.asarray(t), self.free
-        grown = half.basis * np.exp(half.poles * t[..., None])[..., None, :]
-        found = grown.real @ half.inverse.real - grown.imag @ half.inverse.imag
+        alive = (half.poles.real * t[..., None] > GONE).reshape(-1, len(half.poles)).any(axis=0)
+        inverse = half.inverse[alive]
+        grown = half.basis[:, alive] * np.exp(half.poles[alive] * t[..., None])[..., None, :]
+        found = grown.real @ inverse.real - grown.imag @ inverse.imag
         if free:
             moved = half.basis[:, :free] @ half.inverse[free : 2 * free]
             found = found + t[..., None, None] * moved.real

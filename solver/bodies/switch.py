@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -36,6 +37,11 @@ class Switch:
     inputs: Matrix
     event: Matrix
     states: int
+
+    @cached_property
+    def keeps(self) -> bool:
+        """Whether the state stays what it is."""
+        return np.array_equal(self.state, np.eye(len(self.state)))
 
     @property
     def gradient(self) -> Matrix:
