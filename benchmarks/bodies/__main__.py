@@ -17,9 +17,9 @@ from pathlib import Path
 from ..every_scene.measured import ROUNDS, Contender, Point, measured
 from ..every_scene.shown import curves, show
 from . import ours, rivals
-from .problem import Row, row
+from .problem import FEW, Row, row
 
-SIZES = (2, 10, 100)
+SIZES = (2, 10, 100, 1000)
 ORDERS, STEPS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48), (64, 256, 1024, 4096, 16384)
 
 #: Steps times masses that shooting is given time for.
@@ -32,10 +32,13 @@ def contenders(which: Row) -> list[Contender]:
     ways = [
         ("force series", newton, ORDERS),
         ("force series, in a response", ours.in_response(which), ORDERS),
-        ("exact orbit", newton, (0,)),
-        ("ns.solve", package, (10,)),
-        ("ns.exact", package, (0,)),
     ]
+    if which.n <= FEW:
+        ways += [
+            ("exact orbit", newton, (0,)),
+            ("ns.solve", package, (10,)),
+            ("ns.exact", package, (0,)),
+        ]
     steps = [q for q in STEPS if q * which.n <= MOST]
     ways.append(("RK4 shooting, numba", rivals.shooting(which), steps))
     found = [Contender(name, solve, lambda q: (q,), tuple(own)) for name, solve, own in ways]
