@@ -11,8 +11,8 @@ from .arrays import Integers, Matrix, Vector
 from .results.strobe import Attractor, Basins, Diagram
 from .scenes.case import Case, check_case
 from .scenes.parameter_error import ParameterError, is_number, whole
-from .simulation.bodies import turns
 from .simulation.bodies.machine import BodyMachine
+from .simulation.bodies.units import state_of, units_of
 from .simulation.machine import Machine
 from .simulation.machines import machine_of
 from .simulation.repeats import slowest_decay
@@ -217,21 +217,19 @@ def _followed(
 
     That is None where the motion ends before.
     """
-    units = _units(case)
+    seen = _units(case)
     if start is None:
-        return np.empty((0, len(units))), None
-    if isinstance(machine, BodyMachine):
-        states, last = turns.turns(case, machine, start, cycles)
-        return states * units, None if last is None else turns.in_si(case, machine, last)
-    found = strobed(machine, start, cycles)[0] * units
-    return found, found[-1] if len(found) == cycles + 1 else None
+        return np.empty((0, len(seen))), None
+    own = units_of(case, machine) if isinstance(machine, BodyMachine) else seen
+    found = strobed(machine, start, cycles)[0] * own
+    return found[:, : len(seen)], found[-1] if len(found) == cycles + 1 else None
 
 
 def _taken(case: Case, machine: Machine, last: Vector | None) -> AnyState:
     """Return the last state of the motion before, if a phase takes it; else one at rest."""
     if last is not None:
         if isinstance(machine, BodyMachine):
-            start: AnyState = turns.from_si(case, machine, last)
+            start: AnyState = state_of(case, machine, last)
         else:
             x, v, *memory = (last / _units(case)).tolist()
             start = State(x, v, 0.0, memory=tuple(memory))

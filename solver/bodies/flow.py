@@ -22,7 +22,7 @@ SHIFT, TURNED = 8 * np.finfo(float).eps, 1e-12
 #: Least turn or decay, over a phase, of a pole against what drives it.
 CLEAR = 0.1
 
-#: Exponent at which a mode has decayed to nothing: with less, products are slow denormal numbers.
+#: Exponent at which a mode has decayed to nothing; less would be slow, denormal numbers.
 GONE = -300.0
 
 #: Where ``(e^z - 1 - z)/z^2`` is a series, and of how many terms.

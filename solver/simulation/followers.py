@@ -11,7 +11,7 @@ from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Form
 from ..scenes.orders import OrderedScene, Step, pairs
-from .bodies.rules import BodyState
+from .bodies.state import BodyState
 from .machine import Machine
 from .machines import machine_of
 from .nodes import InState, Node
@@ -124,7 +124,7 @@ def _end_of(orbit: "Motion", p: int, angle: float, memory: tuple[float, ...]) ->
         times = np.append(orbit.cell_durations, [orbit.angle] * cell.forced)
         rows = np.eye(len(own), len(own) + 3 + len(cell.memory))
         y = seen(cell, times, p, end, rows)[:, 0]
-        return BodyState(tuple(map(float, y)), angle, memory=memory)
+        return BodyState(y, angle, memory=memory)
     x, v = (float(orbit.part(p, end, j)[0]) for j in (0, 1))
     place = cell.place(p)  # without rounding, as in a simulation
     return State(x if place is None else place, v, angle, memory=memory)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from types import ModuleType
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -49,30 +49,22 @@ PARTS = zeros, bounds, locate, chatter, clock, state, switches, step
 def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     """Return the functions of `step` and `run`, plain or compiled."""
     flow = linking.made((divided, responses), {}, make)
+    return linking.made((*PARTS, motion), {"state_at": flow["state_at"]}, counting(make))
 
-    def counting(function: Any, names: dict[str, Any], _: bool) -> Any:
-        """Return a function made so that numba counts: some take lists of forms."""
-        return make(function, names, True)
 
-    return linking.made((*PARTS, motion), {"state_at": flow["state_at"]}, counting)
+def counting(make: linking.Make) -> linking.Make:
+    """Return what makes functions so that numba counts: some take lists."""
+    return lambda function, names, _: make(function, names, True)
 
 
 #: The functions, linked as plain Python or compiled; what plain ones cost is kept.
 FAMILY = Family(linked, (divided, responses, column, rules, *PARTS), step.step)
 
 
-def with_array(state: State) -> State:
-    """Return a state whose memory is an array, as it is where functions are compiled."""
-    return state._replace(memory=np.array(state.memory, dtype=float))
-
-
-def follow_by(name: str, *arguments: Any) -> Any:
-    """Return what `step` or `run` does: in plain Python, or compiled once that pays."""
-    account = FAMILY.account_of(run.__name__)
-    if account.pays():
-        return FAMILY.compiled(run.__name__)[name](*arguments)
-    with account.spending():
-        return FAMILY.plain(run.__name__)[name](*arguments)
+def with_arrays(state: AnyState) -> AnyState:
+    """Return a state with arrays for what is several numbers, as functions compiled have it."""
+    found = (np.array(part, dtype=float) if np.ndim(part) else part for part in state)
+    return type(state)(*found)
 
 
 @dataclass(frozen=True)
@@ -81,6 +73,7 @@ class Machine:
 
     cell: Cell
     nodes: tuple[Node, ...]
+    family: ClassVar[Family] = FAMILY
 
     @classmethod
     def of(cls, cell: Cell) -> "Machine":
@@ -103,11 +96,19 @@ class Machine:
     @property
     def functions(self) -> dict[str, Any]:
         """The functions over the rules, as plain Python."""
-        return FAMILY.plain(run.__name__)
+        return self.family.plain(run.__name__)
 
     def by(self, name: str, *arguments: Any) -> Any:
         """Return what a function makes of the rules and of some arguments."""
         return self.functions[name](self.rules, *arguments)
+
+    def follow(self, name: str, *arguments: Any) -> Any:
+        """Return what `step` or `run` does: in plain Python, or compiled once that pays."""
+        account = self.family.account_of(run.__name__)
+        if account.pays():
+            return self.family.compiled(run.__name__)[name](self.rules, *arguments)
+        with account.spending():
+            return self.by(name, *arguments)
 
     def number(self, one: Step) -> int:
         """Return the number of a phase as an order calls it."""
@@ -142,7 +143,7 @@ class Machine:
 
     def step(self, p: int, state: AnyState, clock: Clock, most: float) -> Passed:
         """Follow a phase from where it begins, for a time at most, and across its switch."""
-        passed: Passed = follow_by("step", self.rules, p, with_array(state), clock, most)
+        passed: Passed = self.follow("step", p, with_arrays(state), clock, most)
         return passed
 
     def after(self, one: Step, end: AnyState) -> Node | None:

@@ -7,14 +7,14 @@ from typing import Any
 
 from ..arrays import Integers, Matrix
 from ..scenes.case import Case
-from .machine import Machine, follow_by, with_array
+from .machine import Machine, with_arrays
 from .record import Segment, Simulation
 from .steps.chatter import CHATTER, accumulates, end_of
 from .steps.clock import Clock, at_start
 from .steps.column import NONE
 from .steps.locate import BEYOND, EVENT, LOST, MOST_STEPS
 from .steps.run import MOST_PHASES
-from .steps.state import AnyState, State
+from .steps.state import AnyState
 from .steps.step import CHATTERS, REFUSED
 
 #: Windows of a search for events that take about as long as what else a phase takes.
@@ -48,9 +48,9 @@ def follow(case: Case, machine: Machine, start: AnyState, duration: float) -> Si
     return Simulation(case, tuple(segments), ended)
 
 
-def strobed(machine: Machine, start: State, cycles: int) -> tuple[Matrix, Integers, int]:
+def strobed(machine: Machine, start: AnyState, cycles: int) -> tuple[Matrix, Integers, int]:
     """Return a motion at each whole turn of the forcing from a state on: see `run`."""
-    states, phases, how = follow_by("run", machine.rules, with_array(start), cycles)
+    states, phases, how = machine.follow("run", with_arrays(start), cycles)
     return states, phases, how
 
 

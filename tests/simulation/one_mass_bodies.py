@@ -6,7 +6,7 @@ from nonsmooth.solver.bodies.laws import scales
 from nonsmooth.solver.bodies.modal import Modal
 from nonsmooth.solver.scenes.bodies.cell import NO_EQUATION, BodyCell, BodyPhase
 from nonsmooth.solver.scenes.cell import Cell, Form, Memory, Phase
-from nonsmooth.solver.simulation.bodies.rules import BodyState
+from nonsmooth.solver.simulation.bodies.state import BodyState
 from nonsmooth.solver.simulation.steps.state import State
 
 

@@ -11,27 +11,29 @@ from test_chatter import resting
 
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.simulation.machine import FAMILY, Machine
+from nonsmooth.solver.simulation.machine import with_arrays
+from nonsmooth.solver.simulation.machines import machine_of
 from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps import run
 from nonsmooth.solver.simulation.steps.clock import angle_of, at_start, later, time_to
 from nonsmooth.solver.simulation.steps.locate import CUT, EVENT
 from nonsmooth.solver.simulation.steps.state import State
 from nonsmooth.solver.simulation.steps.step import CHATTERS, REFUSED
-from nonsmooth.solver.simulation.walk import Place, follow, strobed, with_array
+from nonsmooth.solver.simulation.walk import Place, follow, strobed
 
-#: Scenes, and one whose impacts accumulate before it rests.
+#: Scenes, and one whose impacts accumulate before it rests; bodies.
 SCENES = (*one_mass.NAMES, "impacts and a rest")
+BODIES = tuple(name for name in registry.names() if registry.load(name).has_body)
 
 
 def drawn(name, count):
     """Return the machine of a scene, and random states that a phase of it takes."""
     case = registry.load(name)().of_fullest() if name in registry.names() else resting(0.5)
-    machine, random = Machine.of(case.cell), np.random.default_rng(1)
+    machine, random = machine_of(case.cell), np.random.default_rng(1)
     found, turn = [machine.at_rest(0.0)], float(case.cell.forced)
     while len(found) < count:
-        state = State(*random.normal(0, 1, 2).tolist(), turn * float(random.uniform(0, 6)))
-        found.append(machine.remembered(state))
+        x, v = random.normal(0, 1, 2).tolist()
+        found.append(machine.released(x, v, turn * float(random.uniform(0, 6))))
         if machine.first(found[-1]) is None:
             found.pop()
     return case, machine, found
@@ -43,20 +45,20 @@ def bits(passed):
     return [bits(value) if isinstance(value, tuple) else value for value in flat]
 
 
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", [*SCENES, *BODIES])
 def test_plain_and_compiled_motions_have_the_same_bits(name) -> None:
     _, machine, states = drawn(name, 6)
-    forms = FAMILY.plain(run.__name__), FAMILY.compiled(run.__name__)
+    forms = machine.family.plain(run.__name__), machine.family.compiled(run.__name__)
     for start in states:
         place = Place.first(machine, start)
-        p, state, clock = place.phase, with_array(place.state), place.clock
+        p, state, clock = place.phase, with_arrays(place.state), place.clock
         for _ in range(40):
             one, other = (of["step"](machine.rules, p, state, clock, 9.0) for of in forms)
             assert bits(one) == bits(other)
             if one.how != EVENT:
                 break
             p, state, clock = one.phase, one.state, one.clock
-        one, other = (of["run"](machine.rules, with_array(start), 3) for of in forms)
+        one, other = (of["run"](machine.rules, with_arrays(start), 3) for of in forms)
         assert bits(one) == bits(other)
 
 
@@ -85,7 +87,7 @@ def test_the_states_at_whole_turns_are_those_of_the_simulation(name) -> None:
 
 def test_it_says_why_it_ends() -> None:
     case = registry.load("impact")(restitution=0.3, frequency=0.3, damping=0.3)
-    machine = Machine.of(case.cell)
+    machine = machine_of(case.cell)
     states, _, how = strobed(machine, State(0.0, 0.0, 0.0), 10)
     assert how == CHATTERS
     assert len(states) == 1 + math.floor(ns.simulate(case, (0, 0), 10).time * 0.3 / 2 / math.pi)

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.simulation.bodies.turns import from_si, in_si, turns
+from nonsmooth.solver.simulation.bodies.units import state_of, units_of
 from nonsmooth.solver.simulation.machines import machine_of
+from nonsmooth.solver.simulation.walk import strobed
 
 #: With impacts, and with a memory.
 SCENES = ["chain-impact", "jenkins-absorber"]
@@ -35,14 +36,13 @@ def test_it_goes_on_where_the_value_before_was_left(name: str, parameter, factor
     own = ns.scene(name)()
     other = own.with_value(parameter, factor * own.values[parameter])
     one, two = machine_of(own.cell), machine_of(other.cell)
-    _, last = turns(own, one, one.at_rest(0.0), 7)
-    again = from_si(other, two, in_si(own, one, last))
-    before, after = (
-        [float(row @ q.full) * c.units.of_motion(j)
-         for j, row in enumerate(m.regimes[0].contacts[:2, 0])]
-        for c, m, q in ((own, one, last), (other, two, again))
-    )  # fmt: skip
-    assert after == pytest.approx(before, rel=1e-12)
+    last = strobed(one, one.at_rest(0.0), 7)[0][-1] * units_of(own, one)
+    again = state_of(other, two, last)
+    found = [
+        float(row @ again.full) * other.units.of_motion(j)
+        for j, row in enumerate(two.regimes[0].contacts[:2, 0])
+    ]
+    assert found == pytest.approx(last[:2], rel=1e-12)
 
 
 def test_basins_lead_to_the_stable_orbits() -> None:

@@ -4,227 +4,248 @@ In the eigenbasis of the phase a form is ``sum c_i e^(s_i t) + Re(w e^(i Omega t
 Each pole bounds its own part of every derivative by its modulus, so that fast modes count as
 far as they ring.  A pole near the frequency of what drives it has no such parts: there
 ``z' = s z + drive`` bounds the derivatives.
+
+Functions over `Phases`: plain Python, or compiled by numba.
 """
 
-from dataclasses import dataclass, replace
-from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from ...arrays import Complex, Indices, Matrix, Vector
-from ...bodies.flow import CLEAR, Flow
-from .regime import Regime
+from ...arrays import Complex, Indices, Integers, Matrix, Vector
+from ...flow.divided import exp
+from ..steps.locate import NOISE
+from .modes import Modes, modes_of, power_of, real_of, size_of, value_of
+from .phases import TERMS, Phases
 
-#: How near to a drive a pole has no parts of its own, as a part of the frequency of the
-#: forcing; where nothing forces, of the fastest pole.
-REACH, UNFORCED = 0.25, 1e-6
+#: What a form may be on a surface that it is known to be on, as a part of its factors and of
+#: the state.
+ON_IT = 1e-6
+
+#: An exponent of which the exponential is finite.
+LARGE = 700.0
 
 #: What of a pole and of its drive is rounding, as parts of the fastest pole and of a state.
 STILL = 1e-12
 
 
-@dataclass(frozen=True, eq=False)
-class Along:
-    """Some forms along a phase: `rows`, shape (F, W), from the state `Y` where it begins."""
-
-    regime: Regime
-    Y: Vector
-    rows: Matrix
-
-    @np.errstate(over="ignore", invalid="ignore")  # a motion may grow beyond float64
-    def at(self, t: Vector, form: int | None = None) -> tuple[Matrix, Matrix]:
-        """Return values and slopes at times from the beginning; shape (F, len(t)) each.
-
-        Of one form alone, if one is given.
-        """
-        parts, count = self._parts, len(self.rows)
-        which = slice(None) if form is None else slice(form, None, count)
-        clear = parts.apart * np.abs(t).max() >= CLEAR
-        free = self._all_free if clear.all() else parts.free(clear)
-        basis, waves = parts.basis[which], free.waves[which, None]
-        z = free.own[:, None] * np.exp(parts.s[:, None] * t)
-        if not clear.all():
-            z[~clear] = parts.driven(~clear, t)
-        found = (basis @ z).real + (waves * np.exp(1j * self._omega * t)).real
-        found += free.constant[which, None]
-        return found[: len(found) // 2], found[len(found) // 2 :]
-
-    @cached_property
-    def sizes(self) -> Vector:
-        """What each form is the sum of, added without sign, where the phase begins."""
-        n, modes = self._n, np.abs(self._basis) @ np.abs(self._parts.start)
-        waves = np.hypot(*self.rows[:, n : n + 2].T)
-        rest = np.abs(self.rows[:, n + 2 :]) @ np.abs(self.Y[n + 2 :])
-        return np.asarray(modes + waves + rest)
-
-    @np.errstate(over="ignore")  # infinite is a bound, too
-    def bounds(self, order: int, t: Vector, h: float) -> Matrix:
-        """Return what a derivative never exceeds from times on, for h; shape (F, len(t))."""
-        parts, omega = self._parts, self._omega
-        grow = np.exp(np.minimum(np.maximum(parts.s.real, 0.0) * h, 700.0))[:, None]
-        decay = np.exp(np.minimum(np.outer(parts.s.real, t), 700.0))
-        power = np.abs(parts.s)[:, None] ** order
-        own = np.abs(self._far.own)[:, None] * decay * power * grow
-        if parts.near.any():
-            size, drive = np.abs(parts.start)[:, None], self._drive[:, None]
-            damped = np.maximum(-parts.s.real, 0.0)[:, None]
-            for_long = np.minimum(t, 1 / np.maximum(damped, 1e-300)) * np.maximum(decay, 1.0)
-            most = (size * decay + drive * (for_long + h)) * grow
-            terms = [
-                np.abs(parts.s)[:, None] ** (order - 1 - k) * omega**k for k in range(order)
-            ]
-            own[parts.near] = (power * most + drive * sum(terms))[parts.near]
-            free = self._parts.flow.free  # places, which these velocities move
-            own[:free] += drive[free : 2 * free] * omega ** (order - 2)
-        waves = np.abs(self._far.waves[: len(self.rows)]) * omega**order
-        return np.asarray(np.abs(self._basis) @ own + waves[:, None])
-
-    def least(self, t: float) -> Vector:
-        """Return what each form is never below from a time on; minus infinity if not known."""
-        parts, far, count = self._parts, self._far, len(self.rows)
-        still = np.abs(parts.s) <= STILL * np.abs(parts.s).max()
-        still &= self._drive <= STILL * np.abs(self.Y).max()
-        free = parts.flow.free
-        still[:free] &= still[free : 2 * free] & (parts.start[free : 2 * free] == 0)
-        moving = parts.near & ~still
-        if moving.any() or (parts.s.real > 0)[~still].any():
-            return np.full(count, -np.inf)
-        left = np.where(still, 0.0, np.abs(far.own) * np.exp(parts.s.real * t))
-        kept = (self._basis[:, still] @ parts.start[still]).real
-        turning = np.abs(far.waves[:count]) + np.abs(self._basis) @ left
-        return np.asarray(far.constant[:count] + kept - turning)
-
-    def fastest(self, part: float) -> float:
-        """Return the rate above which poles make no more than a part of the first form."""
-        parts = self._parts
-        turns = np.argsort(np.abs(parts.s))[::-1]
-        beyond = np.cumsum((np.abs(self._basis[0]) * np.abs(self._far.own))[turns])
-        counted = np.abs(parts.s)[turns][beyond > part * self.sizes[0]]
-        return float(counted.max(initial=0.0))
-
-    @property
-    def _n(self) -> int:
-        return self.regime.states
-
-    @property
-    def _omega(self) -> float:
-        return self.regime.part.flow.omega
-
-    @property
-    def _basis(self) -> Complex:
-        """By which each pole is in each form."""
-        return self._parts.basis[: len(self.rows)]
-
-    @cached_property
-    def _drive(self) -> Vector:
-        """What drives the poles that are near to it."""
-        return np.asarray(np.abs(self._parts.drives).sum(axis=0) * self._parts.near)
-
-    @cached_property
-    def _all_free(self) -> "_Free":
-        return self._parts.free(np.ones(len(self._parts.s), dtype=bool))
-
-    @cached_property
-    def _far(self) -> "_Free":
-        return self._parts.free(~self._parts.near)
-
-    @cached_property
-    def _parts(self) -> "_Parts":
-        flow, n, inputs = self.regime.part.flow, self._n, self.Y[self._n :]
-        both = np.vstack([self.rows, self.rows @ self.regime.generator])
-        half, turns = flow.upper, 1j * np.array([flow.omega, -flow.omega, 0.0])
-        apart = turns[:, None] - half.poles
-        least = np.abs(apart).min(axis=0)
-        reach = REACH * flow.omega or UNFORCED * np.abs(half.poles).max(initial=1.0)
-        drives = np.array(half.drives(inputs))
-        direct = (both[:, n] - 1j * both[:, n + 1]) * (inputs[0] + 1j * inputs[1])
-        return _Parts(
-            half, both[:, :n] @ half.basis, half.inverse @ self.Y[:n], drives,
-            drives / np.where(apart == 0, 1.0, apart), least, least <= reach, direct,
-            both[:, n + 2 :] @ inputs[2:],
-        )  # fmt: skip
-
-
-@dataclass(frozen=True, eq=False)
-class _Free:
-    """What poles that are not near to their drives make of forms.
+class Along(NamedTuple):
+    """Some forms along a phase.
 
     Parameters
     ----------
-    own : ndarray of complex, shape (m,)
-        What of each pole is free where the phase begins; 0 of one that is near.
-    waves : ndarray of complex, shape (2 F,)
-        Factors of ``e^(i Omega t)``.
-    constant : ndarray, shape (2 F,)
-    """
-
-    own: Complex
-    waves: Complex
-    constant: Vector
-
-
-@dataclass(frozen=True, eq=False)
-class _Parts:
-    """What forms and their slopes are made of.
-
-    Parameters
-    ----------
-    flow : Flow
-        By poles, one of each pair.
-    basis : ndarray of complex, shape (2 F, m)
-        By which each is in each form, and in each slope.
-    start : ndarray of complex, shape (m,)
-        Of each pole where the phase begins.
-    drives, answers : ndarray of complex, shape (3, m)
-        What drives each, by ``e^(i Omega t), e^(-i Omega t), 1``, and its steady answers.
-    apart : ndarray, shape (m,)
-        How far each pole is from what drives it.
+    modes : Modes
+    by_poles, direct : ndarray of complex, shape (F, 2, m), (F, 2)
+        The forms and their slopes, by the poles and by ``e^(i Omega t)``.
+    fixed : ndarray, shape (F, 2)
+        What they have besides.
+    leading : ndarray of int, shape (F,)
+        Which derivative is the first that is not zero at first; `TERMS` where none is.
+    rate : ndarray, shape (F,)
+        The size of that.
+    sizes : ndarray, shape (F,)
+        What each form is the sum of, added without sign, where the phase begins.
     near : ndarray of bool, shape (m,)
-        Which have no steady answer.
-    direct : ndarray of complex, shape (2 F,)
-    fixed : ndarray, shape (2 F,)
-        What forms have without poles: factors of ``e^(i Omega t)``, and constants.
+        Which poles have no parts of their own.
+    own, drive : ndarray, shape (m,)
+        The size of what of each pole is free where the phase begins, and of what drives it:
+        the one of those that are not near, the other of those that are.
+    waves, constant : ndarray, shape (F,)
+        What the steady answers of those that are not near make of forms: the size of a wave,
+        and a constant.
+    window, growth : float
+        See `Poles`.
     """
 
-    flow: Flow
-    basis: Complex
-    start: Complex
-    drives: Complex
-    answers: Complex
-    apart: Vector
-    near: Indices
+    modes: Modes
+    by_poles: Complex
     direct: Complex
-    fixed: Vector
-
-    @property
-    def s(self) -> Complex:
-        """The poles."""
-        return self.flow.poles
-
-    def free(self, clear: Indices) -> _Free:
-        """Return what some of the poles make of forms, by their steady answers."""
-        up, down, one = np.where(clear, self.answers, 0.0)
-        waves = self.basis @ up + (self.basis @ down).conj() + self.direct
-        constant = (self.basis @ one).real + self.fixed
-        return _Free(np.where(clear, self.start, 0.0) - up - down - one, waves, constant)
-
-    def driven(self, which: Indices, t: Vector) -> Complex:
-        """Return some of the poles at times, also where they are near to their drives."""
-        flow = self.flow
-        some = replace(flow, poles=flow.poles[which], inputs=flow.inputs[which])
-        return some.moved(self.start[which], list(self.drives[:, which]), t)
+    fixed: Matrix
+    leading: Integers
+    rate: Vector
+    sizes: Vector
+    near: Indices
+    own: Vector
+    drive: Vector
+    waves: Vector
+    constant: Vector
+    window: float
+    growth: float
 
 
-def seen(regime: Regime, Y: Vector, rows: Matrix, t: Vector) -> Matrix:
-    """Return forms along a phase from a state on; shape (len(rows), len(t))."""
-    n, flow = regime.states, regime.part.flow
-    turned = (Y[n] + 1j * Y[n + 1]) * np.exp(1j * flow.omega * t)
-    found = flow.seen(rows[:, :n], Y[:n], Y[n:], t)
-    found = found + rows[:, n : n + 2] @ np.array([turned.real, turned.imag])
-    return np.asarray(found + (rows[:, n + 2 :] @ Y[n + 2 :])[:, None])
+def leading(phases: Phases, row: int, Y: Vector, zero: bool) -> int:
+    """Return the order of the first derivative that is not zero; `TERMS` if none is.
+
+    `zero` says that the state is known to be on the form's surface, whatever rounding makes of
+    it.
+    """
+    rates, rounding = phases.forms.rates[row], phases.forms.rounding[row]
+    for order in range(TERMS):
+        value = abs(value_of(rates[order], Y))
+        size = size_of(rounding[order] if order < 2 else rates[order], Y)
+        known = zero and order == 0 and value <= ON_IT * _largest(rates[0], Y)
+        if value > NOISE * size and not known:
+            return order
+    return TERMS
 
 
-def state_at(regime: Regime, Y: Vector, t: float) -> Vector:
-    """Return y at a time from the state in which a phase begins."""
-    n = regime.states
-    return seen(regime, Y, np.eye(n, len(Y)), np.array([t]))[:, 0]
+def _largest(row: Vector, Y: Vector) -> float:
+    """Return the sum of the factors of a form, times the largest entry of a state."""
+    factors, entry = 0.0, 0.0
+    for i in range(len(row)):
+        factors += abs(float(row[i]))
+        entry = max(entry, abs(float(Y[i])))
+    return factors * entry
+
+
+def sign_after(phases: Phases, row: int, Y: Vector, zero: bool) -> int:
+    """Return the sign of a form just after a state: of its first derivative but zeros."""
+    order = leading(phases, row, Y, zero)
+    if order == TERMS:
+        return 0
+    value = value_of(phases.forms.rates[row, order], Y)
+    return 1 if value > 0 else (-1 if value < 0 else 0)
+
+
+def along_of(
+    phases: Phases, omega: float, p: int, Y: Vector,
+    rows: Integers, signs: Vector, zeros: Indices,
+) -> Along:  # fmt: skip
+    """Return some forms along a phase, from a state on.
+
+    Parameters
+    ----------
+    rows : ndarray of int, shape (F,)
+        Which forms.
+    signs : ndarray, shape (F,)
+        What each is multiplied by.
+    zeros : ndarray of bool, shape (F,)
+        Which are known to be zero in the state.
+    """
+    poles, count = phases.poles, len(rows)
+    modes = modes_of(poles, omega, p, Y)
+    n, m = poles.bases.shape[1], len(modes.poles)
+    own, drive = _parts(modes, poles.near[p])
+    by_poles = np.zeros((count, 2, m), np.complex128)
+    direct, fixed = np.zeros((count, 2), np.complex128), np.zeros((count, 2))
+    orders, rate = np.zeros(count, np.int64), np.zeros(count)
+    turn = complex(float(Y[n]), float(Y[n + 1]))
+    for f in range(count):
+        row, sign = rows[f], float(signs[f])
+        rates = phases.forms.rates[row]
+        orders[f] = leading(phases, row, Y, zeros[f])
+        rate[f] = abs(value_of(rates[min(orders[f], TERMS - 1)], Y))
+        for k in range(2):
+            up, down = float(rates[k, n]), float(rates[k, n + 1])
+            direct[f, k] = sign * complex(up, -down) * turn
+            fixed[f, k] = sign * value_of(rates[k, n + 2 :], Y[n + 2 :])
+            for i in range(m):
+                by_poles[f, k, i] = sign * complex(phases.forms.by_poles[row, k, i])
+    waves, constant, sizes = np.zeros(count), np.zeros(count), np.zeros(count)
+    for f in range(count):
+        wave, steady = _answer(modes, poles.near[p], by_poles[f, 0])
+        waves[f] = abs(complex(direct[f, 0]) + wave)
+        constant[f] = float(fixed[f, 0]) + steady
+        sizes[f] = abs(complex(direct[f, 0]))
+        sizes[f] += size_of(phases.forms.rates[rows[f], 0, n + 2 :], Y[n + 2 :])
+        for i in range(m):
+            sizes[f] += abs(complex(by_poles[f, 0, i])) * abs(complex(modes.start[i]))
+    return Along(
+        modes, by_poles, direct, fixed, orders, rate, sizes, poles.near[p, :m], own, drive,
+        waves, constant, float(poles.window[p]), float(poles.growth[p]),
+    )  # fmt: skip
+
+
+def _answer(modes: Modes, near: Indices, factors: Complex) -> tuple[complex, float]:
+    """Return what the steady answers of poles that are not near make of a form.
+
+    The factor of ``e^(i Omega t)``, and a constant.
+    """
+    wave, constant = 0j, 0.0
+    for i in range(len(factors)):
+        if not near[i]:
+            factor = complex(factors[i])
+            wave += factor * complex(modes.answers[0, i])
+            wave += (factor * complex(modes.answers[1, i])).conjugate()
+            constant += (factor * complex(modes.answers[2, i])).real
+    return wave, constant
+
+
+def _parts(modes: Modes, near: Indices) -> tuple[Vector, Vector]:
+    """Return the size of what of each pole is its own, and of what drives it."""
+    own, drive = np.zeros(len(modes.start)), np.zeros(len(modes.start))
+    for i in range(len(own)):
+        if near[i]:
+            for k in range(3):
+                drive[i] += abs(complex(modes.drives[k, i]))
+        else:
+            left = complex(modes.start[i])
+            for k in range(3):
+                left -= complex(modes.answers[k, i])
+            own[i] = abs(left)
+    return own, drive
+
+
+def value_at(along: Along, f: int, z: Complex, t: float) -> tuple[float, float]:
+    """Return value and slope of a form at a time, by the poles there."""
+    wave = exp(1j * along.modes.omega * t)
+    value = real_of(along.by_poles[f, 0], z) + (complex(along.direct[f, 0]) * wave).real
+    slope = real_of(along.by_poles[f, 1], z) + (complex(along.direct[f, 1]) * wave).real
+    return value + float(along.fixed[f, 0]), slope + float(along.fixed[f, 1])
+
+
+def bounds(along: Along, order: int, t: float, h: float) -> Vector:
+    """Return what a derivative of each form never exceeds from a time on, for h.
+
+    Where a body moves freely, one of order 2 or more.
+    """
+    modes, most = along.modes, np.zeros(len(along.own))
+    for i in range(len(most)):
+        s, drive = complex(modes.poles[i]), float(along.drive[i])
+        grow = exp(complex(min(max(s.real, 0.0) * h, LARGE))).real
+        decay = exp(complex(min(s.real * t, LARGE))).real
+        power = power_of(abs(s), order)
+        if not along.near[i]:
+            most[i] = float(along.own[i]) * decay * power * grow
+            continue
+        for_long = min(t, 1 / max(-s.real, 1e-300)) * max(decay, 1.0)
+        at_most = (abs(complex(modes.start[i])) * decay + drive * (for_long + h)) * grow
+        terms = 0.0
+        for k in range(order):
+            terms += power_of(abs(s), order - 1 - k) * power_of(modes.omega, k)
+        most[i] = power * at_most + drive * terms
+        if i < modes.free:  # a place, which this velocity moves
+            most[i] += float(along.drive[modes.free + i]) * power_of(modes.omega, order - 2)
+    found = np.zeros(len(along.waves))
+    for f in range(len(found)):
+        total = float(along.waves[f]) * power_of(modes.omega, order)
+        for i in range(len(most)):
+            total += abs(complex(along.by_poles[f, 0, i])) * float(most[i])
+        found[f] = total
+    return found
+
+
+def least(along: Along, t: float, size: float) -> Vector:
+    """Return what each form is never below from a time on; minus infinity if not known.
+
+    In a state of a size.
+    """
+    modes, speeds, factors = along.modes, np.abs(along.modes.poles), along.by_poles[:, 0]
+    still = (speeds <= STILL * speeds.max()) & (along.drive <= STILL * size)
+    free = modes.free
+    still[:free] &= still[free : 2 * free] & (modes.start[free : 2 * free] == 0)
+    moving = along.near & ~still
+    if moving.any() or (modes.poles.real > 0)[~still].any():
+        return np.full(len(factors), -np.inf)
+    left = np.where(still, 0.0, along.own * np.exp(modes.poles.real * t))
+    kept = (factors[:, still] @ modes.start[still]).real
+    return np.asarray(along.constant + kept - along.waves - np.abs(factors) @ left)
+
+
+def fastest(along: Along, part: float) -> float:
+    """Return the rate above which poles make no more than a part of the first form."""
+    speeds = np.abs(along.modes.poles)
+    turns = np.argsort(speeds)[::-1]
+    beyond = np.cumsum((np.abs(along.by_poles[0, 0]) * along.own)[turns])
+    counted = speeds[turns][beyond > part * along.sizes[0]]
+    return float(counted.max(initial=0.0))

@@ -5,14 +5,20 @@ at both, where B bounds its fourth derivative, and that cubic is above the least
 Bernstein coefficients.  Intervals for which this leaves a zero are divided, until the form
 falls all along one: then it has one zero there.  A form that falls below zero by no more than
 its rounding only touches it.
+
+Functions over `Along`: plain Python, or compiled by numba.
 """
+
+from math import inf, isfinite
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
+from ...arrays import Integers, Matrix, Vector
+from ..steps.column import NONE
 from ..steps.locate import BEYOND, CUT, EPS, EVENT, LOST, NOISE
-from .along import Along
-from .regime import TERMS
+from .along import Along, bounds, value_at
+from .modes import poles_at, power_of
+from .phases import TERMS
 
 #: Intervals that are looked at together, and how much longer they are after each success.
 POINTS, LONGER = 16, 4.0
@@ -23,10 +29,12 @@ MOST_ROUNDS = 20_000
 #: Newton's steps and halvings to a zero, and those to that of a cubic.
 STEPS, CUBIC = 60, 6
 
+#: Of a form in an interval: it has no zero there, may have one, is below zero at its end, and
+#: is that and falls all along.
+NO_ZERO, DOUBTFUL, BELOW, FALLING = range(4)
 
-def first_event(
-    along: Along, zeros: "np.ndarray[tuple[int], np.dtype[np.bool_]]", most: float
-) -> tuple[float, int, int]:
+
+def first_event(along: Along, most: float) -> tuple[float, int, int]:
     """Return where the first of some forms vanishes: a time, how it ended, and which form.
 
     How is `EVENT`, `CUT`, `BEYOND` or `LOST`.
@@ -35,122 +43,166 @@ def first_event(
     ----------
     along : Along
         Each form is not negative just after its beginning.
-    zeros : ndarray of bool, shape (F,)
-        Which forms are known to be zero there.
     most : float
         Time after which the search ends.
     """
-    zero = [
-        along.regime.leading(row, along.Y, bool(known))
-        for row, known in zip(along.rows, zeros, strict=True)
-    ]
-    begins = [_departs(along, f, order, most) for f, order in enumerate(zero) if order]
-    tolerance = NOISE * along.sizes
-    tolerance[[order == TERMS for order in zero]] = np.inf  # zero all along
-    first = min([most, along.regime.window, *begins])
+    tolerance, first, watched = np.zeros(len(along.sizes)), min(most, along.window), False
+    for f in range(len(tolerance)):
+        if along.leading[f] == TERMS:  # zero all along
+            tolerance[f] = inf
+            continue
+        tolerance[f], watched = NOISE * float(along.sizes[f]), True
+        if along.leading[f] > 0:
+            first = min(first, departs(along, f, most))
     t, h = 0.0, first / POINTS
-    if not np.isfinite(tolerance + h).any():
+    if not (watched and isfinite(h)):
         return 0.0, BEYOND, 0
+    kinds = np.zeros(len(tolerance), np.int64)
     for _ in range(MOST_ROUNDS):
         if t >= most:
             return most, CUT, 0
-        ends = np.minimum(t + h * np.arange(POINTS + 1), most)
-        values, slopes = along.at(ends)
-        if not np.isfinite(values).all():
+        states, total = states_at(along, t, h, most)
+        if not isfinite(total):
             return t, BEYOND, 0
-        least, steepest = _hulls(along, ends, values, slopes)
-        doubtful = ~(least > -tolerance[:, None])
-        doubtful[np.array(zero) > 0, :] &= ends[1:] > first
-        if not doubtful.any():
-            t, h = float(ends[-1]), LONGER * h
-            continue
-        k = int(np.argmax(doubtful.any(axis=0)))
-        forms, a, b = (
-            np.flatnonzero(doubtful[:, k]).tolist(),
-            float(ends[k]),
-            float(ends[k + 1]),
-        )
-        below = values[forms, k + 1] < -tolerance[forms]
-        if below.all() and (steepest[forms, k] < 0).all():
-            cubics = np.array([values[:, k], values[:, k + 1], slopes[:, k], slopes[:, k + 1]])
-            found = [(_zero(along, form, a, b, cubics[:, form]), form) for form in forms]
-            return _event(min(found))
-        if b - a > 4 * EPS * b:
+        k, certain = first_doubt(along, states, t, h, most, first, tolerance, kinds)
+        a, b, below = min(t + h * k, most), min(t + h * (k + 1), most), first_below(kinds)
+        if k == POINTS:
+            t, h = a, LONGER * h
+        elif certain:
+            return first_zero_of(along, states[k], states[k + 1], kinds, a, b)
+        elif b - a > 4 * EPS * b:
             t, h = a, (b - a) / POINTS
-        elif below.any():
-            return _event((b, forms[int(np.argmax(below))]))
+        elif below != NONE:
+            return b, EVENT, below
         else:
             t, h = b, first / POINTS
     return t, LOST, 0
 
 
-def _event(found: tuple[float, int]) -> tuple[float, int, int]:
-    return found[0], EVENT, int(found[1])
+def states_at(along: Along, t: float, h: float, most: float) -> tuple[Matrix, float]:
+    """Return values and slopes at both ends of intervals; shape (POINTS + 1, F, 2).
+
+    And the sum of the values.
+    """
+    found, total = np.zeros((POINTS + 1, len(along.sizes), 2)), 0.0
+    for k in range(POINTS + 1):
+        at = min(t + h * k, most)
+        z = poles_at(along.modes, at)
+        for f in range(found.shape[1]):
+            value, slope = value_at(along, f, z, at)
+            found[k, f, 0], found[k, f, 1] = value, slope
+            total += value
+    return found, total
 
 
-def _departs(along: Along, form: int, order: int, most: float) -> float:
+def first_doubt(
+    along: Along, states: Matrix, t: float, h: float, most: float, first: float,
+    tolerance: Vector, kinds: Integers,
+) -> tuple[int, bool]:  # fmt: skip
+    """Return the first interval in which a form may have a zero, and whether each of those has.
+
+    `POINTS` if there is none.  What is known of each form is put into `kinds`.  One that begins
+    at zero has no other until `first`.
+    """
+    for k in range(POINTS):
+        a, b = min(t + h * k, most), min(t + h * (k + 1), most)
+        bound, doubts, certain = bounds(along, 4, a, b - a), 0, 0
+        for f in range(len(kinds)):
+            kinds[f] = NO_ZERO
+            if along.leading[f] == 0 or b > first:
+                cubic = cubic_of(states[k, f], states[k + 1, f])
+                kinds[f] = kind_of(cubic, b - a, float(bound[f]), float(tolerance[f]))
+            doubts += kinds[f] != NO_ZERO
+            certain += kinds[f] == FALLING
+        if doubts > 0:
+            return k, certain == doubts
+    return POINTS, False
+
+
+def first_below(kinds: Integers) -> int:
+    """Return the first form that is below zero at the end of an interval, or `NONE`."""
+    for f in range(len(kinds)):
+        if kinds[f] >= BELOW:
+            return f
+    return NONE
+
+
+def first_zero_of(
+    along: Along, here: Matrix, there: Matrix, kinds: Integers, a: float, b: float
+) -> tuple[float, int, int]:
+    """Return the first zero of the forms that fall all along an interval."""
+    found, form = inf, 0
+    for f in range(len(kinds)):
+        if kinds[f] == FALLING:
+            zero = zero_of(along, f, a, b, cubic_of(here[f], there[f]))
+            found, form = (zero, f) if zero < found else (found, form)
+    return found, EVENT, form
+
+
+def departs(along: Along, f: int, most: float) -> float:
     """Return a time in which a form that begins at zero has no other zero.
 
     Its first derivative that is not zero keeps half of its value.
     """
-    if order == TERMS:
-        return most
-    row = along.rows[form]
-    for _ in range(order):
-        row = row @ along.regime.generator
-    growth = float(along.regime.part.flow.poles.real.max(initial=0.0))
-    most = min(most, 1 / growth) if growth > 0 else most
-    bound = float(along.bounds(order + 1, np.zeros(1), most)[form, 0])
-    value = abs(float(row @ along.Y))
-    return min(most, value / (2 * bound)) if bound else most
+    most = min(most, 1 / along.growth) if along.growth > 0 else most
+    bound = float(bounds(along, int(along.leading[f]) + 1, 0.0, most)[f])
+    return min(most, float(along.rate[f]) / (2 * bound)) if bound != 0 else most
 
 
-def _hulls(along: Along, t: Vector, values: Matrix, slopes: Matrix) -> tuple[Matrix, Matrix]:
-    """Return below what a form never falls between times, and what its slope never exceeds."""
-    h, left, right = np.diff(t), values[:, :-1], values[:, 1:]
-    falls, rises = slopes[:, :-1], slopes[:, 1:]
-    bound = along.bounds(4, t[:-1], float(h.max()))
-    inner = np.minimum(left + h * falls / 3, right - h * rises / 3)
-    least = np.minimum(np.minimum(left, right), inner) - bound * h**4 / 384
-    mean = (right - left) / np.where(h > 0, h, 1.0)
-    steep = np.maximum(np.maximum(falls, rises), 3 * mean - falls - rises)
-    return least, steep + bound * h**3 / 124
+def cubic_of(here: Vector, there: Vector) -> tuple[float, float, float, float]:
+    """Return values and slopes at both ends of an interval."""
+    return float(here[0]), float(there[0]), float(here[1]), float(there[1])
 
 
-def _zero(along: Along, form: int, a: float, b: float, cubic: Vector) -> float:
+def kind_of(
+    cubic: tuple[float, float, float, float], h: float, bound: float, tolerance: float
+) -> int:
+    """Return what is known of a form in an interval, by its cubic and its fourth derivative."""
+    left, right, falls, rises = cubic
+    inner = min(left + h * falls / 3, right - h * rises / 3)
+    if min(left, right, inner) - bound * power_of(h, 4) / 384 > -tolerance:
+        return NO_ZERO
+    if not right < -tolerance:
+        return DOUBTFUL
+    mean = (right - left) / (h if h > 0 else 1.0)
+    steep = max(falls, rises, 3 * mean - falls - rises)
+    return FALLING if steep + bound * power_of(h, 3) / 124 < 0 else BELOW
+
+
+def zero_of(
+    along: Along, f: int, a: float, b: float, cubic: tuple[float, float, float, float]
+) -> float:
     """Return the zero of a form that falls between two times, by Newton's method.
 
     It starts from that of the cubic by the values at both, and the slopes.
     """
-    low, high = max(0.0, 2 * a - b), b  # it may begin below, by rounding
-    t = a + (b - a) * _zero_of_cubic(cubic * [1.0, 1.0, b - a, b - a])
-    last, rounding = EPS * b, NOISE * float(along.sizes[form])  # no step before the first
+    low, high, h = max(0.0, 2 * a - b), b, b - a  # it may begin below, by rounding
+    t = a + h * zero_of_cubic(cubic[0], cubic[1], h * cubic[2], h * cubic[3])
+    last, rounding = EPS * b, NOISE * float(along.sizes[f])  # no step before the first
     for _ in range(STEPS):
-        values, slopes = along.at(np.array([t]), form)
-        value, slope = float(values[0, 0]), float(slopes[0, 0])
+        value, slope = value_at(along, f, poles_at(along.modes, t), t)
         if value == 0:
             return t
         low, high = (t, high) if value > 0 else (low, t)
-        moved = t - value / slope if slope < 0 else np.inf
+        moved = t - value / slope if slope < 0 else inf
         if abs(value) <= rounding and slope < 0:
             return min(max(moved, low), high)
         moved = moved if low < moved < high else (low + high) / 2
         step = abs(moved - t)
-        if step * min(1.0, (step / last) ** 2) <= EPS * t:  # steps shrink by their squares
+        if step * min(1.0, power_of(step / last, 2)) <= EPS * t:  # they shrink by their squares
             return moved
         t, last = moved, step
     return t
 
 
-def _zero_of_cubic(cubic: Vector) -> float:
+def zero_of_cubic(start: float, end: float, falls: float, rises: float) -> float:
     """Return about where a cubic that falls from 0 to 1 vanishes.
 
     Examples
     --------
-    >>> round(_zero_of_cubic(np.array([1.0, -7.0, 0.0, -24.0])), 6)
+    >>> round(zero_of_cubic(1.0, -7.0, 0.0, -24.0), 6)
     0.5
     """
-    start, end, falls, rises = map(float, cubic)
     second, third = 3 * (end - start) - 2 * falls - rises, 2 * (start - end) + falls + rises
     u = min(max(start / (start - end), 0.0), 1.0)
     for _ in range(CUBIC):

@@ -1,35 +1,50 @@
-"""The phases of a cell of a body: its rules, followed in plain Python."""
+"""The phases of a cell of a body: its rules as arrays, followed plain or compiled."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, cached_property
-from typing import Any
+from functools import cached_property
+from types import ModuleType
+from typing import Any, ClassVar
 
 import numpy as np
 
 from ...arrays import Vector
+from ...flow import divided
 from ...kernels import linking
-from ...kernels.compiling import rebuilt
+from ...kernels.family import Family
 from ...scenes.bodies.cell import BodyCell
-from ..machine import Machine
+from ..machine import Machine, counting
 from ..nodes import InState
-from ..steps import step, switches
-from ..steps.clock import Clock
-from ..steps.column import NONE
+from ..steps import chatter, clock, column, rules, switches
+from ..steps import state as common_state
+from ..steps import step as common_step
 from ..steps.rules import Rules
 from ..steps.state import AnyState
-from ..steps.step import Passed
-from . import rules
+from . import along, locate, modes, phases, state, step
+from .phases import body_rules_of
 from .record import BodySegment
-from .regime import Regime
-from .rules import BodyState, body_rules_of, on, watched
+from .regime import Regime, regimes
+from .state import BodyState
+from .step import watched
+
+#: What a motion is followed by, beside the flow of a phase: functions of bodies stand for those
+#: of one mass that have their names.
+PARTS = clock, chatter, common_state, switches, common_step
+OWN = modes, along, locate, state, step
 
 
-@cache
-def functions() -> dict[str, Any]:
-    """Return the functions of `switches` and `step` over those of bodies."""
-    return linking.made((switches, step, rules), {}, rebuilt)
+def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
+    """Return the functions of `step` and `run` over those of bodies, plain or compiled."""
+    flow = linking.made((divided,), {}, make)
+    given = {name: flow[name] for name in ("exp", "of_two", "of_three")}
+    return linking.made((*PARTS, motion, *OWN), given, counting(make))
+
+
+#: The functions, linked as plain Python or compiled; what plain ones cost is kept.
+FAMILY = Family(
+    linked, (divided, column, rules, phases, *PARTS, *OWN), common_step.step, seconds=12.0
+)
 
 
 @dataclass(frozen=True)
@@ -37,35 +52,21 @@ class BodyMachine(Machine):
     """The phases of a cell of a body, and what follows a motion through them."""
 
     cell: BodyCell
+    family: ClassVar[Family] = FAMILY
 
     @cached_property
     def rules(self) -> Rules:
         """The same as arrays."""
-        return body_rules_of(self.cell, self.nodes)
+        return body_rules_of(self.cell, self.nodes, self.regimes)
 
-    @property
-    def functions(self) -> dict[str, Any]:
-        """The functions of `steps` over those of bodies."""
-        return functions()
-
-    @property
+    @cached_property
     def regimes(self) -> tuple[Regime, ...]:
         """The phases in numbers."""
-        found: tuple[Regime, ...] = self.rules.phases
-        return found
+        return regimes(self.cell, self.nodes)
 
     def window(self, p: int) -> float:
         """Return a time in which a motion in a phase does not turn often."""
         return self.regimes[p].window
-
-    def step(self, p: int, state: BodyState, clock: Clock, most: float) -> Passed:
-        """Follow a phase from where it begins, for a time at most, and across its switch.
-
-        Jumps that are too low to be located, and do not end in a rest, accumulate.
-        """
-        passed: Passed = self.by("step", p, state, clock, most)
-        accumulate = passed.left > 0 and passed.away == NONE
-        return passed._replace(how=step.CHATTERS) if accumulate else passed
 
     def still(self, angle: float) -> AnyState:
         """Return the state at rest where nothing is displaced."""
@@ -79,7 +80,8 @@ class BodyMachine(Machine):
         """Return the state nearest to one with a place and a velocity of the first contact."""
         rows = self.regimes[0].contacts[:2, 0].copy()
         rows[:, self.regimes[0].states + 2] -= x, v
-        return on(rows, state)
+        found: BodyState = self.functions["on"](rows, state)
+        return found
 
     def resting(self, angle: float) -> Iterator[AnyState]:
         """Yield states at rest: at 0, and where a phase leaves the body in balance."""
@@ -98,7 +100,15 @@ class BodyMachine(Machine):
 
     def _at(self, y: Vector, angle: float) -> AnyState:
         """Return a state with the memory that suits it best; see `remembered`."""
-        return self.remembered(BodyState((), angle).at(y))
+        return self.remembered(BodyState(y, angle))
+
+    def remembered(self, state: AnyState) -> AnyState:
+        """Return a state of which nothing is remembered with what suits it best.
+
+        As plain numbers, by which states are compared.
+        """
+        found = super().remembered(state)
+        return found._replace(y=tuple(map(float, found.y)), memory=tuple(found.memory))
 
     def in_state(self, p: int) -> InState:
         """Return what forms of a phase are in a state."""
@@ -110,9 +120,10 @@ class BodyMachine(Machine):
     ) -> BodySegment:
         """Return a phase that was followed as it is kept."""
         node, regime, Y = self.nodes[p], self.regimes[p], state.full
+        rows, signs, _ = watched(self.rules, p, state)
         x, v = (float(row @ Y) for row in regime.contacts[:2, 0])
         return BodySegment(
             node.phase, node.index, node.mirrored, t, state.angle, x, v, s,
             self.ending(p, surface), Y=Y, regime=regime,
-            watched=watched(self.rules, p, state)[1],
+            watched=signs[:, None] * self.rules.forms[rows],
         )  # fmt: skip

@@ -7,7 +7,8 @@ import numpy as np
 from ...arrays import Matrix, Vector
 from ..lasting import ROUNDING
 from ..record import Segment
-from .along import Along, seen
+from .along import Along, along_of, fastest, least
+from .phases import Phases, forms_of, laws_of, poles_of
 from .regime import Regime
 
 #: What of a displacement may be in waves that are not resolved where it is drawn.
@@ -45,14 +46,25 @@ class BodySegment(Segment):
 
     def seen(self, row: Vector, s: Vector) -> Vector:
         """Return a form at local times."""
-        return np.asarray(seen(self.regime, self.Y, row[None], s)[0])
+        n, flow, Y = self.regime.states, self.regime.part.flow, self.Y
+        turned = (Y[n] + 1j * Y[n + 1]) * np.exp(1j * flow.omega * s)
+        found = flow.seen(row[None, :n], Y[:n], Y[n:], s)[0] + row[n + 2 :] @ Y[n + 2 :]
+        return np.asarray(found + row[n] * turned.real + row[n + 1] * turned.imag)
 
     def wave(self, omega: float) -> float:
         """Return the length of the shortest wave of the displacement that is seen."""
-        along = Along(self.regime, self.Y, self.regime.contacts[0, :1])
-        return 2 * np.pi / max(omega, 2.0 / self.regime.window, along.fastest(UNSEEN))
+        along = self._along(self.regime.contacts[0, :1])
+        return 2 * np.pi / max(omega, 2.0 / self.regime.window, fastest(along, UNSEEN))
 
     def lasts(self, omega: float) -> bool:
         """Return whether it is shown that the phase lasts for ever."""
-        along = Along(self.regime, self.Y, self.watched)
-        return bool((along.least(self.s) >= -ROUNDING * along.sizes).all())
+        along = self._along(self.watched)
+        low = least(along, self.s, float(np.abs(self.Y).max()))
+        return bool((low >= -ROUNDING * along.sizes).all())
+
+    def _along(self, rows: Matrix) -> Along:
+        one, count = [self.regime], len(rows)
+        phases = Phases(poles_of(one), laws_of(one), forms_of(one, [rows]))
+        which, known = np.arange(count), np.zeros(count, dtype=bool)
+        omega = self.regime.part.flow.omega
+        return along_of(phases, omega, 0, self.Y, which, np.ones(count), known)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
+from ...arrays import Matrix
 from ...bodies.laws import Free, free, places
 from ...bodies.modal import Modal
 from ...bodies.part import Part, parts_of
@@ -13,12 +13,8 @@ from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ..nodes import Node
 from ..steps.locate import NOISE
 
-#: Derivatives of a form by time that are looked at.
-TERMS = 6
-
-#: What a form may be on a surface that it is known to be on, as a part of its factors and of
-#: the state.
-ON_IT = 1e-6
+#: What a pole is, as a part of the fastest, that does not turn.
+STILL = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,34 +47,8 @@ class Regime:
     def window(self) -> float:
         """A time in which a motion does not turn often: of the forcing, or of a slow pole."""
         poles = np.abs(self.part.flow.poles)
-        slow = float(poles[poles > ON_IT * poles.max()].min(initial=np.inf))
+        slow = float(poles[poles > STILL * poles.max()].min(initial=np.inf))
         return 2.0 / (self.part.flow.omega or slow)
-
-    def sign_after(self, row: Vector, Y: Vector, zero: bool) -> int:
-        """Return the sign of a form just after a state: of its first derivative but zeros.
-
-        `zero` says that the state is known to be on its surface, whatever rounding makes of it.
-        """
-        order = self.leading(row, Y, zero)
-        for _ in range(order):
-            row = row @ self.generator
-        return 0 if order == TERMS else int(np.sign(row @ Y))
-
-    def leading(self, row: Vector, Y: Vector, zero: bool) -> int:
-        """Return the order of the first derivative that is not zero; `TERMS` if none is.
-
-        Places and velocities are known to the rounding of their way in a unit of time, also
-        where they are 0.
-        """
-        far = np.abs(Y)
-        way = far + np.abs(self.generator) @ far
-        for order in range(TERMS):
-            value, size = abs(row @ Y), np.abs(row) @ (way if order < 2 else far)
-            known = zero and order == 0 and value <= ON_IT * np.abs(row).sum() * np.abs(Y).max()
-            if value > NOISE * size and not known:
-                return order
-            row = row @ self.generator
-        return TERMS
 
 
 def regimes(cell: BodyCell, nodes: Sequence[Node]) -> tuple[Regime, ...]:

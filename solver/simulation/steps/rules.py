@@ -20,14 +20,14 @@ class Rules(NamedTuple):
         Of the forcing.
     phases : ndarray, shape (P, 8 + M)
         Of each phase: equation, speed, law, and factors of the memory in its force.  Of a body
-        in their place a tuple of `Regime`.
+        in their place its `Phases`.
     kinds : ndarray of int, shape (P, 8)
         Of each phase: whether it is held; whether its event is none of its demands; behind the
         jump of which it is a rest at a place; its place in the cell; -1 if it is mirrored.
         Then in `forms` the row of its event, before its demands; the first row of what it
         demands at its switch; and the one behind them.
     forms : ndarray, shape (F, 4 + M)
-        By ``x, v, cos, 1, memory``.  Of a body by its ``Y``; see `Regime`.
+        By ``x, v, cos, 1, memory``.  Of a body by its ``Y``; see `Phases`.
     surfaces : ndarray of int, shape (F,)
         On which each vanishes.
     endings : ndarray of int, shape (P, S)

@@ -34,13 +34,13 @@ def run(rules: Rules, state: State, cycles: int) -> tuple[Matrix, Integers, int]
     -------
     states : ndarray, shape (turns, 2 + M)
         Displacement, velocity and memory at the start and behind each turn that was reached;
-        at a switch, those behind it.
+        at a switch, those behind it.  Of a body, then y of its modes.
     phases : ndarray of int, shape (turns,)
         The phase that it is in.
     how : int
         Why it ended: `CUT` if it was followed for so many cycles.
     """
-    states = np.zeros((cycles + 1, 2 + len(rules.setting)))
+    states = np.zeros((cycles + 1, width(rules)))
     phases, count, last = np.zeros(cycles + 1, dtype=np.int64), 0, [inf] * CHATTER
     p, clock = first_phase(rules, state), at_start(state.angle, rules.omega)
     if p == NONE:
@@ -62,6 +62,11 @@ def run(rules: Rules, state: State, cycles: int) -> tuple[Matrix, Integers, int]
             return states[:count], phases[:count], CHATTERS
         p, state, clock = passed.phase, passed.state, passed.clock
     return states[:count], phases[:count], MANY
+
+
+def width(rules: Rules) -> int:
+    """Return how many numbers of a state are kept at a whole turn: see `strobe`."""
+    return 2 + len(rules.setting)
 
 
 def strobe(

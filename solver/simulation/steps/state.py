@@ -168,3 +168,8 @@ def crossed(rules: Rules, p: int, row: int, end: State) -> State:
     v = 0.0 - constant / ev if paced else end.v
     known = surface if ev == 0 or (rho == 1 and d == 0) else NONE
     return State(x, rho * v + d, end.angle, known, placed, end.memory)
+
+
+def cannot_go_on(left: float, away: int) -> bool:
+    """Whether jumps that go on for a time, and end in no rest, are too low to be followed."""
+    return False

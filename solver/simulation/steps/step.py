@@ -16,6 +16,7 @@ from .state import (
     AnyState,
     State,
     begun,
+    cannot_go_on,
     crossed,
     entered,
     form_of,
@@ -79,7 +80,8 @@ def step(rules: Rules, p: int, state: AnyState, clock: Clock, most: float) -> Pa
         rest, rested = rest_of(rules, p, behind, left, angle_of(still))
         if rest != NONE:  # the last of the jumps stands for all that are left
             away, after, state, clock = after, rest, rested, still
-    return Passed(s, EVENT, surface, left, away, behind, after, state, clock)
+    how = CHATTERS if cannot_go_on(left, away) else EVENT
+    return Passed(s, how, surface, left, away, behind, after, state, clock)
 
 
 def end_of_phase(

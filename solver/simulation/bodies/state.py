@@ -1,0 +1,166 @@
+"""States of a body, and what a switch makes of them.
+
+The functions stand for those of the same names in `steps`: plain Python, or compiled by numba.
+"""
+
+from math import cos, sin, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from ...arrays import Matrix, Vector
+from ..steps import column
+from ..steps.column import NONE
+from ..steps.locate import EPS, NOISE
+from ..steps.rules import Rules
+from ..steps.state import NEAR, Values, sets
+from .along import sign_after
+from .modes import size_of, value_of
+
+
+class BodyState(NamedTuple):
+    """A state of a body, without units: y of the modes, the angle of the forcing, the memory.
+
+    The surface that it is known to be on, or `NONE`; see `bodies.laws` for y.
+    """
+
+    y: Values
+    angle: float
+    surface: int = NONE
+    memory: Values = ()
+
+    @property
+    def full(self) -> Vector:
+        """What forms are of: ``Y = (y, cos, sin, 1, memory)``."""
+        return full_of(self)
+
+
+def full_of(state: BodyState) -> Vector:
+    """Return what forms are of in a state."""
+    n, more = len(state.y), len(state.memory)
+    found = np.ones(n + 3 + more)
+    for i in range(n):
+        found[i] = state.y[i]
+    found[n], found[n + 1] = cos(state.angle), sin(state.angle)
+    for i in range(more):
+        found[n + 3 + i] = state.memory[i]
+    return found
+
+
+def local_of(rules: Rules, p: int, state: BodyState) -> Vector:
+    """Return what forms are of where a phase begins."""
+    return full_of(begun(rules, p, state))
+
+
+def sign_of(rules: Rules, at: Vector, row: int, state: BodyState) -> int:
+    """Return the sign of a form just after a state."""
+    return sign_after(rules.phases, row, at, bool(rules.surfaces[row] == state.surface))
+
+
+def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
+    """Whether a held phase is held at a state: behind a jump, there alone.
+
+    A jump may give its velocity to the whole body, of which some modes are left out.
+    """
+    laws, wall, Y = rules.phases.laws, rules.kinds[p, column.WALL], full_of(state)
+    row, speed = rules.kinds[wall, column.ROW], float(laws.speed[p])
+    on = wall != NONE and bool(rules.surfaces[row] == state.surface)
+    if on and laws.rests[p]:
+        return True
+    if abs(value_of(laws.velocity[p, 0, 0], Y) - speed) > NEAR * max(1.0, abs(speed)):
+        return False
+    event = rules.forms[row]
+    return wall == NONE or on or abs(value_of(event, Y)) <= NOISE * size_of(event, Y)
+
+
+def begun(rules: Rules, p: int, state: BodyState) -> BodyState:
+    """Return a state with the velocity at which a phase is held, if it is."""
+    if rules.kinds[p, column.HELD] == 0:
+        return state
+    return struck(rules, rules.phases.laws.holding[p], state, state.surface)
+
+
+def struck(rules: Rules, impulses: Matrix, state: BodyState, surface: int) -> BodyState:
+    """Return a state behind impulses, by what it is before them."""
+    Y, by_impulse, y = full_of(state), rules.phases.laws.struck, copied(state.y)
+    for j in range(len(impulses)):
+        impulse = value_of(impulses[j], Y)
+        for i in range(len(y)):
+            y[i] += float(by_impulse[i, j]) * impulse
+    return BodyState(y, state.angle, surface, state.memory)
+
+
+def on(rows: Matrix, state: BodyState) -> BodyState:
+    """Return the state nearest to one at which some forms vanish.
+
+    What each form adds to the ways of those before it is one way more, by Gram and Schmidt.
+    """
+    n, Y = len(state.y), full_of(state)
+    ways, moved, y = np.zeros((len(rows), n)), np.zeros(len(rows)), copied(state.y)
+    for k in range(len(rows)):
+        left = -value_of(rows[k], Y)
+        for i in range(n):
+            ways[k, i] = rows[k, i]
+        before = sqrt(value_of(ways[k], ways[k]))
+        for j in range(k):
+            part = value_of(ways[j], ways[k])
+            left -= part * float(moved[j])
+            for i in range(n):
+                ways[k, i] -= part * ways[j, i]
+        length = sqrt(value_of(ways[k], ways[k]))
+        is_new = length > EPS * n * before  # else it is one of those before it
+        moved[k] = left / length if is_new else 0.0
+        for i in range(n):
+            ways[k, i] = ways[k, i] / length if is_new else 0.0
+            y[i] += moved[k] * ways[k, i]
+    return BodyState(y, state.angle, state.surface, state.memory)
+
+
+def copied(values: Values) -> Vector:
+    """Return numbers as an array of their own."""
+    found = np.zeros(len(values))
+    for i in range(len(found)):
+        found[i] = values[i]
+    return found
+
+
+def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
+    """Return the state in which a phase begins: with what its beginning sets."""
+    if not sets(rules, p):
+        return state
+    Y, values = full_of(state), copied(state.memory)
+    for i in range(len(values)):
+        if rules.setting[i] == rules.kinds[p, column.INDEX]:
+            total = 0.0
+            for j in range(rules.memory.shape[1]):
+                sign = float(rules.kinds[p, column.SIGN]) if j == 3 else 1.0
+                seen = value_of(rules.phases.laws.seen[j], Y)
+                total += sign * float(rules.memory[i, j]) * seen
+            values[i] = total
+    return BodyState(state.y, state.angle, state.surface, values)
+
+
+def jumps_at(rules: Rules, p: int, surface: int) -> int:
+    """Return the phase whose jumps are those where a phase ends on a surface, or `NONE`."""
+    ending = int(rules.endings[p, surface])
+    return ending if ending != NONE and rules.phases.laws.jumps[ending] else NONE
+
+
+def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
+    """Return the state behind the switch from that in which a phase ends, where a form does."""
+    surface = int(rules.surfaces[row])
+    ending = jumps_at(rules, p, surface)
+    if ending == NONE:
+        return BodyState(end.y, end.angle, surface, end.memory)
+    laws = rules.phases.laws
+    known = NONE if laws.moving[ending] else surface
+    return struck(rules, laws.switching[ending], end, known)
+
+
+def may_switch(rules: Rules, p: int, before: BodyState) -> bool:
+    """Whether a state is one that the event of a phase demands, but for rounding."""
+    Y = full_of(before)
+    for row in range(rules.kinds[p, column.AT_SWITCH], rules.kinds[p, column.END]):
+        if value_of(rules.forms[row], Y) < -NOISE * size_of(rules.forms[row], Y):
+            return False
+    return True
