@@ -1,5 +1,6 @@
 """Where in a step of a branch something happens, the orbit there, and how well it is known."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -93,9 +94,16 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
         turns = i - (len(before.gauges) - OWN) == OUTSIDE
         gauge = leaving(piece, *map(place_at, ends)) if turns else own
 
+        sizes = [abs(gauge(place_at(at))) for at in ends]
+        no_orbit, rounding = np.isnan(sizes).any(), ROUNDING * max(sizes)
+
         def value(at: float) -> float:
             found = gauge(place_at(at))
-            return 1.0 if np.isnan(found) else found
+            if np.isnan(found):
+                return 1.0
+            if no_orbit:  # what vanishes where orbits end does so like a square
+                return math.copysign(math.sqrt(abs(found)), found)
+            return 0.0 if abs(found) <= rounding else found
 
         at = float(brentq(value, *ends, xtol=1e-300, rtol=1e-14, maxiter=200))
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
