@@ -8,7 +8,8 @@ from typing import Any
 from ..flow import flow
 from ..no_orbit import NoOrbit
 from ..scenes.case import Case
-from ..scenes.cell import Form, Phase
+from ..scenes.cell import Phase
+from ..simulation.lasting import response, swing
 from . import two_phases
 from .known import Known, known
 
@@ -167,16 +168,11 @@ def _resonance(case: Case, phase: Phase) -> str:
 
 def _within(case: Case, phase: Phase) -> tuple[float, float] | None:
     """Return between which places the mass moves in a phase for ever, if its demands allow."""
-    omega = case.cell.omega
-    stiffness = complex(phase.k - phase.m * omega**2, phase.c * omega)
-    if abs(stiffness) == 0 or (phase.k == 0 and phase.f):
+    found = response(phase, case.cell.omega)
+    if found is None or not phase.demands:
         return None
-    wave, mean = phase.g / stiffness, phase.f / phase.k if phase.k else 0.0
-
-    def least(form: Form) -> float:
-        ex, ev, ec, e0 = form
-        return ex * mean + e0 - abs(ex * wave + ev * 1j * omega * wave + ec)
-
-    if not phase.demands or min(least(form) for _, form in phase.demands) < 0:
-        return None
+    mean, wave = found
+    for _, form in phase.demands:
+        if form[0] * mean + form[3] < swing(form, wave, case.cell.omega):
+            return None
     return mean - abs(wave), mean + abs(wave)

@@ -194,10 +194,13 @@ def in_order(base: LoadedScene, order: Order) -> OrderedScene:
     return OrderedScene(base.module, base.folder, base.kept, base=base, order=order)
 
 
+def declared_order(cell: Cell) -> Order:
+    """Return the order of phases that a cell has."""
+    return Order(tuple(map(Step, range(len(cell.phases)))), cell.sign < 0)
+
+
 def in_cell(cell: Cell, order: Order) -> Cell:
     """Return a cell with its phases in another order; its classes are not known."""
-    sign = -1 if order.half_period else 1
-    own = order.steps == tuple(Step(p) for p in range(len(cell.phases))) and sign == cell.sign
     steps = [(cell.carrying(p), mirrored) for p, mirrored in order.steps]
     phases = [mirror(phase) if mirrored else phase for phase, mirrored in steps]
     at = [each.phase for each in cell.memory]
@@ -207,8 +210,8 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     return replace(
         cell,
         phases=tuple(map(_with_columns, phases, columns, [len(memory)] * len(phases))),
-        sign=sign,
-        guess=cell.guess if own else (),
+        sign=-1 if order.half_period else 1,
+        guess=cell.guess if order == declared_order(cell) else (),
         cycles=1,
         memory=tuple(replace(q, name=name) for q, name in zip(memory, named, strict=True)),
         classes=(),

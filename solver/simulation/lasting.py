@@ -27,8 +27,8 @@ def lasts(phase: Phase, x: float, v: float, omega: float, angle: float) -> bool:
     mean, wave, far, fast = steady
 
     def positive(form: Form, sign: int = 1) -> bool:
-        ex, ev, ec, e0 = form
-        turning = abs(ex * wave + ev * 1j * omega * wave + ec)
+        ex, ev, _, e0 = form
+        turning = swing(form, wave, omega)
         least = sign * (ex * mean + e0) - turning - abs(ex) * far - abs(ev) * fast
         return least >= -ROUNDING * (abs(ex * mean) + abs(e0) + turning)
 
@@ -45,18 +45,29 @@ def _steady(
     """
     if phase.held:
         return None if phase.speed else (x, 0j, 0.0, 0.0)
-    m, c, k = phase.m, phase.c, phase.k
-    stiffness = complex(k - m * omega**2, c * omega)
-    if c < 0 or k < 0 or (phase.g and not stiffness):
+    m, c, k, found = phase.m, phase.c, phase.k, response(phase, omega)
+    if found is None or c < 0 or k < 0 or c == k == 0:
         return None
-    wave = phase.g / stiffness if phase.g else 0j
+    mean, wave = found
     now = wave * cmath.exp(1j * angle)
-    h, rate = x - now.real, v - (1j * omega * now).real
+    h, rate = x - mean - now.real, v - (1j * omega * now).real
     if k > 0:
-        h -= phase.f / k
         fast = math.hypot(math.sqrt(k / m) * h, rate)
-        return phase.f / k, wave, math.sqrt(m / k) * fast, fast
-    if c == 0 or phase.f:
-        return None
+        return mean, wave, math.sqrt(m / k) * fast, fast
     far = m / c * rate  # what is left of the way: h' decays, and h with it
     return h + far, wave, abs(far), abs(rate)
+
+
+def response(phase: Phase, omega: float) -> tuple[float, complex] | None:
+    """Return mean and wave of the steady response of a free phase; None if there is none."""
+    m, c, k = phase.m, phase.c, phase.k
+    stiffness = complex(k - m * omega**2, c * omega)
+    if (phase.g and not stiffness) or (k == 0 and phase.f):
+        return None
+    return phase.f / k if k else 0.0, phase.g / stiffness if phase.g else 0j
+
+
+def swing(form: Form, wave: complex, omega: float) -> float:
+    """Return by how much a form turns about its mean in a steady response."""
+    ex, ev, ec, _ = form
+    return abs(ex * wave + ev * 1j * omega * wave + ec)

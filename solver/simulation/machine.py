@@ -13,7 +13,6 @@ import numpy as np
 from ..flow import divided, responses
 from ..kernels import linking
 from ..kernels.family import Family
-from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
 from ..scenes.classes import generator
 from ..scenes.orders import Step
@@ -72,21 +71,12 @@ class Machine:
     """The phases of a cell of one mass, and the rules by which one follows another."""
 
     cell: Cell
-    nodes: tuple[Node, ...]
     family: ClassVar[Family] = FAMILY
 
-    @classmethod
-    def of(cls, cell: Cell) -> "Machine":
-        """Return the machine of a cell; see `machines.machine_of` for that of any.
-
-        Raises
-        ------
-        ValueError
-            If this machine is of one mass, and the cell that of a body.
-        """
-        if cls is Machine and isinstance(cell, BodyCell):
-            raise ValueError("got a body of several degrees of freedom, expected one mass")
-        return cls(cell, nodes(cell))
+    @cached_property
+    def nodes(self) -> tuple[Node, ...]:
+        """The phases that a motion can be in."""
+        return nodes(self.cell)
 
     @cached_property
     def rules(self) -> Rules:

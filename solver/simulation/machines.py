@@ -8,4 +8,4 @@ from .machine import Machine
 
 def machine_of(cell: Cell) -> Machine:
     """Return the phases of a cell, and the rules by which one follows another."""
-    return (BodyMachine if isinstance(cell, BodyCell) else Machine).of(cell)
+    return BodyMachine(cell) if isinstance(cell, BodyCell) else Machine(cell)

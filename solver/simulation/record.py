@@ -60,6 +60,16 @@ class Segment:
         """The state in which it starts, as two are compared."""
         return self.x, self.v
 
+    @property
+    def began(self) -> Step:
+        """What an order of phases calls the phase in which it starts."""
+        return Step(self.index, self.mirrored)
+
+    @property
+    def named(self) -> Step:
+        """What an order of phases calls it: by the event that ended it, if one did."""
+        return self.step or self.began
+
     def motion(self, s: Vector, omega: float, derivative: int) -> Vector:
         """Return a derivative of the displacement at local times."""
         start = np.array([self.x, self.v])

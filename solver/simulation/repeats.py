@@ -10,7 +10,6 @@ from dataclasses import replace
 from ..flow import flow
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
-from ..scenes.orders import Step
 from .bodies import regime
 from .machine import Machine
 from .machines import machine_of
@@ -61,7 +60,7 @@ def _goes_on(machine: Machine, one: Segment, two: Segment) -> bool:
     if one.step is None or any(each.phase == two.index for each in machine.cell.memory):
         return False
     node = machine.node(one.step)
-    same = node.equation == machine.node(Step(two.index, two.mirrored)).equation
+    same = node.equation == machine.node(two.began).equation
     return same and not node.changes_velocity
 
 
@@ -98,16 +97,11 @@ def _same(one: Segment, two: Segment, near: float, size: float) -> bool:
     """Whether two phases are the same, in times and states."""
     off = max(abs(a - b) for a, b in zip(one.state, two.state, strict=True))
     return (
-        step_of(one) == step_of(two)
+        one.named == two.named
         and abs(one.s - two.s) <= max(near, NO_TIME)
         and off <= max(near * size, ROUNDING)
     )
 
 
-def step_of(segment: Segment) -> Step:
-    """Return which phase one was: by the event that ended it, if one did."""
-    return segment.step or Step(segment.index, segment.mirrored)
-
-
 def _equation(cell: Cell, segment: Segment) -> tuple[object, ...]:
-    return machine_of(cell).node(Step(segment.index, segment.mirrored)).equation
+    return machine_of(cell).node(segment.began).equation

@@ -17,11 +17,11 @@ import numpy as np
 from ..kernels.start import RoughTimes
 from ..scenes.case import Case
 from ..scenes.cell import Cell
-from ..scenes.orders import Order, OrderedScene, Step, half_if_mirrored
+from ..scenes.orders import Order, OrderedScene, declared_order, half_if_mirrored
 from .machine import Machine
 from .machines import machine_of
 from .record import Segment, Simulation
-from .repeats import NEAR, repeated, slowest_decay, step_of, whole
+from .repeats import NEAR, repeated, slowest_decay, whole
 from .simulate import cycle
 from .steps.state import AnyState
 from .walk import Place, effort, walk
@@ -108,14 +108,13 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
     base = case.of_fullest() if isinstance(case.scene, OrderedScene) else case
     machine = machine_of(base.cell)
     for settled in _followed_from(base, machine, machine.starts(0.0), phases):
-        yield _in_that(case, settled)
+        yield _in_that(case, base.cell, settled)
 
 
-def _in_that(case: Case, settled: Settled) -> Settled:
+def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
     """Return what a simulation came to, as it is seen from the order of a case."""
     ordered = case.scene if isinstance(case.scene, OrderedScene) else None
-    base = ordered.base if ordered else case.scene
-    declared = Order(tuple(Step(p) for p in range(len(base.phases))), base.half_period)
+    declared = declared_order(base)
     order = ordered.order if ordered else declared
     own = settled.other.within(case.cycles) if settled.other else None
     times = settled.times if order == declared else None
@@ -160,7 +159,7 @@ def _followed(case: Case, start: AnyState, most: int) -> Settled:
         more, place, ended = walk(case, machine, place, cycles * cycle(cell), most - spent)
         segments = segments[:-1] + more
         motion = Simulation(case, tuple(segments), ended)
-        windows = (machine.window(machine.number(Step(q.index, q.mirrored))) for q in more)
+        windows = (machine.window(machine.number(q.began)) for q in more)
         spent += sum(effort(window, q.s) for window, q in zip(windows, more, strict=True))
         found = _came_to(cell, motion)
         if found or cycles >= _lasting(cell) or spent > most - 1:
@@ -205,59 +204,57 @@ def _settled_on(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     phases = whole(machine_of(cell), again)
     if not phases:
         return Settled(None, WITHOUT_SWITCHES)
+    phases = _from_the_first(phases)
     return _declared(cell, phases) or _other(cell, phases)
+
+
+def _from_the_first(again: tuple[Segment, ...]) -> tuple[Segment, ...]:
+    """Return phases that repeat from the first of them on that the scene has.
+
+    It is not mirrored if one is as it is; of several it is the longest.
+    """
+    turned = [again[i:] + again[:i] for i in range(len(again))]
+    first = min([q.named for q in each] for each in turned)
+    ways = (each for each in turned if [q.named for q in each] == first)
+    return max(ways, key=lambda each: each[0].s)
+
+
+def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
+    """Return the times of a cell of the declared order, if the phases that repeat are one."""
+    own = again[: len(cell.phases)]
+    declared = tuple(q.named for q in own) == declared_order(cell).steps
+    if len(again) != len(own) * cell.cells or not declared:
+        return None
+    if cell.forced and abs(sum(q.s for q in own) - cell.duration) > NEAR:
+        return None
+    words = f"a simulation settles on {', '.join(q.phase.name for q in own)}"
+    return Settled(RoughTimes(tuple(q.s for q in own), own[0].angle, words), words)
+
+
+def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
+    """Return on which other order of phases a motion settles, and that in words."""
+    count = round(sum(q.s for q in again) / cycle(cell))
+    names = ", ".join("-" * q.named.mirrored + cell.phases[q.named.phase].name for q in again)
+    every = "each period" if count == 1 else f"every {count} periods"
+    within = f", in {every} of the forcing" if cell.forced else ""
+    words = f"a simulation settles on another order of phases: {names}{within}"
+    return Settled(None, words, _in_order(cell, again, count if cell.forced else 1))
+
+
+def _in_order(cell: Cell, own: tuple[Segment, ...], cycles: int) -> Other | None:
+    """Return the phases that repeat as an order, and the times of its cell."""
+    steps = tuple(q.step for q in own if q.step is not None)
+    set_by = {memory.phase for memory in cell.memory}
+    if len(steps) < len(own) or not set_by <= {step.phase for step in steps}:
+        return None
+    order, half = Order(steps), len(own) // 2
+    if all(_alike(one.s, two.s) for one, two in zip(own[:half], own[half:], strict=False)):
+        order = half_if_mirrored(cell, order)  # the motion is, and not only its order
+    own = own[: len(order.steps)]
+    times = RoughTimes(tuple(q.s for q in own), own[0].angle, "the times of a simulation")
+    return Other(order, times, cycles)
 
 
 def _alike(one: float, two: float) -> bool:
     """Whether two durations are the same as far as a motion has settled."""
     return abs(one - two) <= NEAR * max(one, two, 1.0)
-
-
-def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
-    """Return the times of a cell of the declared order, if the phases that repeat are one."""
-    count, one = len(cell.phases), again
-    for _ in again:
-        own = one[:count]
-        declared = [step_of(q) for q in own] == [*map(Step, range(count))]
-        whole = not cell.forced or abs(sum(q.s for q in own) - cell.duration) <= NEAR
-        if len(one) == count * cell.cells and declared and whole:
-            words = f"a simulation settles on {', '.join(q.phase.name for q in own)}"
-            return Settled(RoughTimes(tuple(q.s for q in own), own[0].angle, words), words)
-        one = (*one[1:], one[0])
-    return None
-
-
-def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
-    """Return on which other order of phases a motion settles, and that in words."""
-    steps = tuple(step_of(q) for q in again)
-    count = round(sum(q.s for q in again) / cycle(cell))
-    other = _in_order(cell, again, count if cell.forced else 1)
-    if other is not None:  # named from where it begins, so that it can be asked for
-        own, turned = other.order.steps, (steps[i:] + steps[:i] for i in range(len(steps)))
-        steps = next(each for each in turned if each[: len(own)] == own)
-    names = ", ".join("-" * q.mirrored + cell.phases[q.phase].name for q in steps)
-    every = "each period" if count == 1 else f"every {count} periods"
-    within = f", in {every} of the forcing" if cell.forced else ""
-    words = f"a simulation settles on another order of phases: {names}{within}"
-    return Settled(None, words, other)
-
-
-def _in_order(cell: Cell, again: tuple[Segment, ...], cycles: int) -> Other | None:
-    """Return the phases that repeat as an order, and the times of its cell.
-
-    It begins with the first of them that the scene has, as it is and not mirrored if it can.
-    """
-    steps = tuple(q.step for q in again if q.step is not None)
-    set_by = {memory.phase for memory in cell.memory}
-    if len(steps) < len(again) or not set_by <= {step.phase for step in steps}:
-        return None
-    turned = [steps[i:] + steps[:i] for i in range(len(steps))]
-    turns = [i for i, each in enumerate(turned) if each == min(turned)]
-    i = max(turns, key=lambda turn: again[turn].s)  # of several, by the longest phase
-    order, own = Order(steps[i:] + steps[:i]), again[i:] + again[:i]
-    half = len(own) // 2  # of a motion that is its own mirror image, and not only its order
-    if all(_alike(one.s, two.s) for one, two in zip(own[:half], own[half:], strict=False)):
-        order = half_if_mirrored(cell, order)
-    own = own[: len(order.steps)]
-    times = RoughTimes(tuple(q.s for q in own), own[0].angle, "the times of a simulation")
-    return Other(order, times, cycles)

@@ -61,7 +61,7 @@ def closes(orbit: ExactOrbit) -> bool:
     case, u = orbit.case, np.array([0.37])
     s = float(orbit.cell_durations[0]) * u[0]
     x, v = (float(orbit.part(0, u, j)[0]) for j in (0, 1))
-    machine = Machine.of(case.cell)
+    machine = Machine(case.cell)
     start = State(x, v, orbit.angle + case.cell.omega * s, memory=orbit.memory_values)
     assert machine.first(start) is not None
     total = float(np.sum(orbit.cell_durations)) * case.cell.cells
@@ -79,7 +79,7 @@ def closes(orbit: ExactOrbit) -> bool:
 def settles(case, random, simulations, cycles) -> bool:
     """Return whether simulations from random states come to a declared order of phases."""
     for each in case.each_motion:
-        machine = Machine.of(each.cell)
+        machine = Machine(each.cell)
         for _ in range(simulations):
             start = machine.remembered(
                 State(*random.normal(0, 1, 2), random.uniform(0, 2 * math.pi))

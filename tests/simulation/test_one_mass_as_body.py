@@ -24,7 +24,7 @@ NEAR = 1e-12
 def followed(case, start, cycles):
     """Return a motion as that of one mass, and as that of a body."""
     cell = case.cell
-    one, other = Machine.of(cell), BodyMachine.of(as_body(cell))
+    one, other = Machine(cell), BodyMachine(as_body(cell))
     start = one.at_rest(0.3 * cell.forced) if start is None else one.remembered(start)
     begun = state_of(start, other.cell, free_phase(cell).m)
     until = cycles * cycle(cell)

@@ -210,7 +210,7 @@ def test_a_switch_that_its_event_forbids_is_not_taken(velocity) -> None:
     slides = registry.load("dry-friction")(mass=3.6, damping=0, normal_force=2.06, **values)
     case = slides.of_motion("sliding")
     start = State(0.0, velocity, 0.0)
-    motion = follow(case, Machine.of(case.cell), start, 100 * cycle(case.cell))
+    motion = follow(case, Machine(case.cell), start, 100 * cycle(case.cell))
     assert len(motion.segments) == 1
     assert "no phase of the scene takes the state" in motion.ended
 
@@ -290,7 +290,7 @@ def some_motions(count: int, seed: int):
                 case = scene(**values).each_motion[-1]
             except ValueError:  # of parameters that do not go together
                 continue
-            machine = Machine.of(case.cell)
+            machine = Machine(case.cell)
             start = machine.at_rest(0.0)
             if start is not None and machine.first(start) is not None:
                 yield case, machine, start, settle._followed(case, start, 400).words
