@@ -6,13 +6,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .branch.branch import Both, Bounds, course_of, go, index_of, orbits_at, start_of
-from .branch.follow import RANGE
+from .branch.branch import Both, Bounds, go, index_of, orbits_at, start_of
 from .branch.orders.change import doubled
 from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
 from .exact import exact_orbit
-from .existence.known import known_orbits
+from .existence.known import are_one, known_orbits
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
@@ -42,9 +41,6 @@ DOUBLED = frozenset(("flip", "branch-point"))
 
 #: Differences of values at which branches meet, as parts of them, that are one.
 NEAR = 1e-5
-
-#: Differences of the forcing phase and of durations, as parts of them, of the same orbit.
-SAME = 1e-7
 
 Seen = Callable[[float], None]
 
@@ -207,7 +203,7 @@ def every_way(
     for value in map(float, np.linspace(*bounds, values)):
         for orbit in _orbits(case.with_value(parameter, value)):
             there = (q for both in found for q in orbits_at(both, value))
-            if any(_are_one(orbit, other) for other in there):
+            if any(are_one(orbit, other) for other in there):
                 continue
             both = Both(index_of(case, parameter))
             with suppress(ArithmeticError):  # it is not isolated
@@ -242,22 +238,6 @@ def _orbits(case: Case) -> list[ExactOrbit]:
         found = known_orbits(case)
         found = found or [exact_orbit(case)]
     return found
-
-
-def _are_one(one: ExactOrbit, other: ExactOrbit) -> bool:
-    """Whether two orbits are the same, to what Newton's method leaves, wherever they begin."""
-    times, others = np.array(one.durations), np.array(other.durations)
-    names = {course_of(each.case).called for each in (one, other)}
-    if len(names) > 1 or len(times) != len(others):
-        return False
-    turns = other.case.cycles * np.cumsum(others) / others.sum()  # of the forcing
-    begun = [0.0, *turns[:-1]] if other.case.cell.forced else [0.0] * len(others)
-    for r, turn in enumerate(begun):
-        turned = (one.angle - other.angle) / (2 * np.pi) - turn
-        apart = np.abs(times - np.roll(others, -r)).max()
-        if apart <= SAME * times.sum() and abs(turned - round(turned)) <= SAME:
-            return True
-    return False
 
 
 def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
@@ -303,5 +283,5 @@ def _result(case: Case, parameter: str, found: Both, how: Expansion) -> Branch:
         replace(row_of(piece, place, id(place) not in ends), beside=how.beside(piece, place))
         for piece, place in found.points()
     )
-    why = found.back.why or RANGE, found.forth.why or RANGE
-    return Branch(case, parameter, how.method, how.order, how.functions, rows, events, why)
+    made = how.method, how.order, how.functions
+    return Branch(case, parameter, *made, rows, events, found.why())

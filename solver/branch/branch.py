@@ -14,7 +14,7 @@ from ..scenes.orders import Order, OrderedScene, Step
 from ..scenes.parameter_error import ParameterError
 from .bodies.course import BodyCourse
 from .course import Course
-from .follow import CLOSED, PART, Segment, follow, in_units
+from .follow import CLOSED, PART, RANGE, Segment, follow, in_units
 from .locate import Found
 from .orders.change import beyond
 from .piece import NoStepError, Piece, Place
@@ -34,14 +34,6 @@ Bounds = tuple[float, float]
 
 
 @dataclass(eq=False)
-class Way:
-    """A branch from one orbit on, one way: its segments in turn, and why it ends."""
-
-    segments: list[Segment] = field(default_factory=list)
-    why: str = ""
-
-
-@dataclass(eq=False)
 class Both:
     """A branch from one orbit on, both ways: backward and forward.
 
@@ -51,25 +43,34 @@ class Both:
         Of the parameter.
     course : Course or None
         The order of phases of its first orbit, if that is not one of the case.
-    back, forth : Way
+    back, forth : list of Segment
+        In turn, from that orbit on.
     """
 
     index: int
     course: Course | None = None
-    back: Way = field(default_factory=Way)
-    forth: Way = field(default_factory=Way)
+    back: list[Segment] = field(default_factory=list)
+    forth: list[Segment] = field(default_factory=list)
 
     def points(self) -> list[tuple[Piece, Place]]:
         """Return its orbits, from the one end to the other."""
-        back = [point for segment in self.back.segments for point in segment.points]
-        forth = [point for segment in self.forth.segments for point in segment.points]
+        back, forth = (
+            [q for each in way for q in each.points] for way in (self.back, self.forth)
+        )
         return [*reversed(back[1:]), *forth] if forth else [*reversed(back)]
 
     def events(self) -> list[Found]:
         """Return what happens on it, in the same turn."""
-        back = [event for segment in self.back.segments for event in segment.events]
-        forth = [event for segment in self.forth.segments for event in segment.events]
+        back, forth = (
+            [q for each in way for q in each.events] for way in (self.back, self.forth)
+        )
         return [*reversed(back), *forth]
+
+    def why(self) -> tuple[str, str]:
+        """Return why it ends, at its start and at its end; a closed one has no way forth."""
+        ends = [way[-1].why if way else "" for way in (self.back, self.forth)]
+        back, forth = (CLOSED, CLOSED) if CLOSED in ends[:1] else ends
+        return back or RANGE, forth or RANGE
 
 
 def index_of(case: Case, parameter: str) -> int:
@@ -131,19 +132,17 @@ def go(
     for way, first in ((found.back, back), (found.forth, place)):
         there: tuple[Piece, Place] | None = (piece, first)
         end: Found | None = None
-        while there is not None and len(way.segments) < MOST_SEGMENTS:
+        while there is not None and len(way) < MOST_SEGMENTS:
             segment = begun(end, there, part)
-            way.segments.append(segment)
+            way.append(segment)
             follow(segment, (piece, first), part, seen)
             cut_where_violated(segment)
-            way.why = segment.why
             end = segment.end
             there = None if end is None else beyond(end)
             if there is not None and len(there[0].course.order.steps) > there[0].course.most:
-                way.why = f"beyond, an orbit has more than {there[0].course.most} phases"
+                segment.why = f"beyond, an orbit has more than {there[0].course.most} phases"
                 there = None
-        if way.why == CLOSED:
-            found.forth.why = way.why
+        if way[-1].why == CLOSED:
             return
 
 

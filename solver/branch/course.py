@@ -83,7 +83,7 @@ class Course(Itinerary):
             return None
         return float(z[2 * q + 1]) * (cell.sign if q == 0 else 1)
 
-    def word(self, row: Row, column: int) -> str:
+    def word(self, row: Row) -> str:
         """Return what it is called where a form that is watched vanishes.
 
         A rest begins or ends: sticking.  Else a surface is touched: grazing.

@@ -196,6 +196,23 @@ def bordered(along: Any, y: Vector, border: Vector, J: Matrix, scales: Vector) -
     scale_rows(J, scales)
 
 
+def moved(
+    y: Vector, step: Vector, J: Matrix, rows: Any, scales: Vector, weights: Vector
+) -> float:
+    """Move unknowns by a step of Newton's method; return its length, in coordinates of size 1.
+
+    `step` has the left sides; J their derivatives, scaled and factorised.
+    """
+    for i in range(len(step)):
+        step[i] /= scales[i]
+    solve_factorised(J, rows, step)
+    square = 0.0
+    for j in range(len(step)):
+        square += step[j] * step[j]
+        y[j] -= step[j] / weights[j]
+    return sqrt(square)
+
+
 def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
     """Lead `y` to the branch, across `border`; whether it gets there, and how fast at first.
 
@@ -216,15 +233,7 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
             bordered(along, y, border, J, scales)
             if not factorise(J, rows):
                 return False, fall
-        before = size
-        for i in range(n + 1):
-            step[i] /= scales[i]
-        solve_factorised(J, rows, step)
-        size = 0.0
-        for j in range(n + 1):
-            size += step[j] * step[j]
-            y[j] -= step[j] / along[4][j]
-        size = sqrt(size)
+        before, size = size, moved(y, step, J, rows, scales, along[4])
         if not isfinite(size):
             return False, fall
         if turn == 1 and before > BARELY:

@@ -135,8 +135,8 @@ def located(
             yield at, None
         return
     if i < forms:
-        row, column = piece.rows[i // 3], i % 3
-        yield at, Found(piece.course.word(row, column), row.phase, column, piece, place, i)
+        row = piece.rows[i // 3]
+        yield at, Found(piece.course.word(row), row.phase, i % 3, piece, place, i)
     elif i < forms + phases:
         p = i - forms
         yield at, Found(_word_of_duration(piece, p), p, None, piece, place, i)

@@ -10,16 +10,16 @@ list, and two are one where they do not differ.
 Plain Python, or compiled by numba with the equations along a branch.
 """
 
-from math import isfinite, pi, sqrt
+from math import isfinite, pi
 from typing import Any
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..branch.extended import CORRECTIONS, FALL, case_at, equations, waves_at
+from ..branch.extended import CORRECTIONS, FALL, case_at, equations, moved, waves_at
 from ..branch.watch import watched
 from ..iteration.iteration import scale_rows
-from ..iteration.linear import factorise, solve_factorised
+from ..iteration.linear import factorise
 from ..stability.cell_map import cell_map, end_rates
 
 #: The last correction: the next one would be its square.  Corrections that show the way.
@@ -52,23 +52,15 @@ def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, flo
     step, before, fall, sign = np.empty(n), np.inf, 0.0, 0.0
     for turn in range(CORRECTIONS):
         equations(case, plane[3], z, step, J)
-        for j in range(n):
-            for i in range(n):
-                J[i, j] /= weights[j]
-        scale_rows(J, scales)
         for i in range(n):
-            step[i] /= scales[i]
+            J[i] /= weights[:n]
+        scale_rows(J, scales)
         if not factorise(J, rows):
             return False, fall, 0.0
         sign = 1.0
         for j in range(n):
             sign = -sign if (J[j, j] < 0) != (rows[j] != j) else sign
-        solve_factorised(J, rows, step)
-        size = 0.0
-        for j in range(n):
-            size += step[j] * step[j]
-            z[j] -= step[j] / weights[j]
-        size = sqrt(size)
+        size = moved(z, step, J, rows, scales, weights)
         if not isfinite(size):
             return False, fall, sign
         if turn == 1:

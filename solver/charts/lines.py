@@ -74,7 +74,7 @@ def line_of(case: Case, names: tuple[str, str], bounds: Bounds, across: int) -> 
 
 
 def _stretches(value: float, both: Both, across: int) -> Iterator[Stretch]:
-    for segment in (*both.back.segments, *both.forth.segments):
+    for segment in (*both.back, *both.forth):
         points = segment.points[1:-1] or segment.points[:1]  # something happens at the ends
         if points:
             piece, place = points[len(points) // 2]

@@ -109,13 +109,11 @@ def known_orbits(case: Case) -> list[ExactOrbit]:
 
 def others(orbit: ExactOrbit) -> list[ExactOrbit]:
     """Return the orbits of the same oscillator, of any motion, that are known beside one."""
-    return [other for other in known_orbits(orbit.case.whole) if not _is_one(orbit, other)]
+    return [other for other in known_orbits(orbit.case.whole) if not are_one(orbit, other)]
 
 
-def _is_one(orbit: ExactOrbit, other: ExactOrbit) -> bool:
-    """Whether two orbits are one: of an order that was asked for and is a declared one, too."""
-    if other.case == orbit.case:
-        return _apart(other, tuple(orbit.cell_durations), orbit.angle) <= NEAR
+def are_one(orbit: ExactOrbit, other: ExactOrbit) -> bool:
+    """Whether two orbits of an oscillator are one, with whichever of its phases it begins."""
     phases, count = other.phases, len(other.phases)
     turns = range(count if count == len(orbit.phases) else 0)
     return any(are_same(orbit, [*phases[i:], *phases[:i]]) for i in turns)

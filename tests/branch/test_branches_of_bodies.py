@@ -274,7 +274,7 @@ def test_an_orbit_that_loses_an_impact_keeps_its_cycles() -> None:
     assert begin is not None
     double = Both(single.index, begin[0].course)
     go(double, begin, PART)
-    piece, place = double.forth.segments[-1].points[-1]
+    piece, place = double.forth[-1].points[-1]
     assert (len(piece.course.order.steps), piece.course.cycles) == (1, 2)
     orbit = piece.orbit(place.y)
     assert orbit is not None

@@ -18,9 +18,8 @@ import nonsmooth as ns
 from nonsmooth.solver.branch.course import Course
 from nonsmooth.solver.branch.events import in_turn
 from nonsmooth.solver.branch.piece import NoStepError
-from nonsmooth.solver.branches import _are_one
 from nonsmooth.solver.exact import exact_orbit
-from nonsmooth.solver.existence.known import known_orbits
+from nonsmooth.solver.existence.known import are_one, known_orbits
 from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.solve import with_order
@@ -329,9 +328,9 @@ def test_orbits_are_one_wherever_they_begin() -> None:
     turned = one.forcing_phase + 2.7 * first
     other = exact_orbit(one.case, (second, first), turned)
     assert other.durations == pytest.approx((second, first), rel=1e-12)
-    assert _are_one(one, other)
-    assert not _are_one(one, exact_orbit(one.case.with_value("frequency", 2.71)))
-    assert not _are_one(one, exact_orbit(stop))
+    assert are_one(one, other)
+    assert not are_one(one, exact_orbit(one.case.with_value("frequency", 2.71)))
+    assert not are_one(one, exact_orbit(stop))
 
 
 def test_impacts_that_follow_ever_faster_are_put_in() -> None:

@@ -280,9 +280,9 @@ MUTANTS = (
     ),
     Mutant(
         "an orbit that begins with another of its phases is another one",
-        "solver/branches.py",
-        "np.roll(others, -r)",
-        "others",
+        "solver/existence/known.py",
+        "[*phases[i:], *phases[:i]]",
+        "phases",
         ("tests/branch/test_events.py::test_orbits_are_one_wherever_they_begin",),
     ),
     Mutant(
