@@ -1,13 +1,12 @@
 """The equations of a cell along one of its parameters: arrays whose entries are series."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..arrays import Integers, Matrix, Vector
-from ..flow.exact_system import arrays
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
 
@@ -98,23 +97,6 @@ class Interval:
             yield Interval(low, high)
 
 
-def framed(cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
-    """Return the arrays of a cell by their series.
-
-    `z` are unknowns of the usual sizes, `others` the cell at `Interval.some`.
-    """
-    found = arrays(cell)
-    before = 2 * len(cell.phases) + len(cell.memory)
-    divided, cells = divided_phases(cell, z[before:]), (cell, *others)
-    for p in range(len(cell.phases)):
-        begins = begins_still if divided[p] else begins_slowly
-        if all(begins(each, p) for each in cells):
-            slowly = not (divided[p] or of_speed(cell, p))
-            divided[p] = 3 if slowly else 2
-    given = found.kinds, found.setting, series, divided, weights(cell, z)
-    return Along(*given, before, float(cell.sign))
-
-
 def resolved(
     values: Callable[[float], Vector], value: float, interval: Interval, blocks: Integers
 ) -> tuple[Matrix, Interval]:
@@ -174,13 +156,6 @@ def chebyshev(count: int) -> tuple[Vector, Matrix]:
     table = np.cos(np.pi / (2 * count) * (np.outer(np.arange(count), k) % (4 * count)))
     table[0] /= 2
     return np.cos(np.pi / (2 * count) * k), 2 / count * table
-
-
-def entries(cell: Cell, forms: list[Form]) -> Vector:
-    """Return all entries of the arrays of a cell that may vary, the forms behind them."""
-    found, rows = arrays(cell), np.array(forms, dtype=float)
-    parts = (found.numbers, found.memory, found.cell, rows)
-    return np.concatenate([part.ravel() for part in parts])
 
 
 def weights(cell: Cell, z: Vector) -> Vector:

@@ -216,22 +216,16 @@ def orbits_at(found: Both, value: float) -> Iterator[ExactOrbit]:
     Motions that nothing ends are left out.
     """
     points = found.points()
-    ends = [piece.value(place.y) for piece, place in points]
-    for i, (one, other) in enumerate(pairwise(points)):
-        low, high = sorted(ends[i : i + 2])
-        if not low <= value <= high or (ends[i] == value and i > 0):
+    steps = list(pairwise(points)) or [(point, point) for point in points]
+    for i, ((before, at), (piece, place)) in enumerate(steps):
+        start, end, y = before.value(at.y), piece.value(place.y), place.y.copy()
+        if not min(start, end) <= value <= max(start, end) or (start == value and i > 0):
             continue
-        (before, at), (piece, place) = one, other
-        y = place.y.copy()
-        if before.course == piece.course and low < high:
-            from_there = in_units(before, piece, at.y)
-            y += (value - ends[i + 1]) / (ends[i] - ends[i + 1]) * (from_there - y)
+        if before.course == piece.course and start != end:
+            y += (value - end) / (start - end) * (in_units(before, piece, at.y) - y)
         orbit = _exactly(piece, y, value)
         if orbit is not None:
             yield orbit
-    if len(points) == 1 and ends[0] == value:
-        orbit = _exactly(*points[0][:1], points[0][1].y, value)
-        yield from () if orbit is None else (orbit,)
 
 
 def _exactly(piece: Piece, y: Vector, value: float) -> ExactOrbit | None:

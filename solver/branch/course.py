@@ -22,7 +22,17 @@ from ..scenes.parameter_error import ParameterError
 from ..simulation.nodes import Node, walls
 from ..simulation.steps.column import NONE
 from . import walk, watch
-from .along import Along, Content, Interval, entries, framed, resolved
+from .along import (
+    Along,
+    Content,
+    Interval,
+    begins_slowly,
+    begins_still,
+    divided_phases,
+    of_speed,
+    resolved,
+    weights,
+)
 from .orders.itinerary import Itinerary
 from .walk import FAMILY
 from .watch import AT_SWITCH, BEHIND, WITHIN
@@ -159,15 +169,28 @@ class Course(Itinerary):
 
     def entries(self, cell: Cell, forms: list[Form]) -> Vector:
         """Return all entries of the arrays of a cell that may vary, the forms behind them."""
-        return entries(cell, forms)
+        found, rows = arrays(cell), np.array(forms, dtype=float)
+        parts = (found.numbers, found.memory, found.cell, rows)
+        return np.concatenate([part.ravel() for part in parts])
 
     def blocks(self, cell: Cell, forms: list[Form]) -> Integers:
         """Return the blocks of these entries, each its own; see `along.resolved`."""
         return np.arange(len(self.entries(cell, forms)))
 
     def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
-        """Return the arrays of a cell by their series; see `along.framed`."""
-        return framed(cell, z, series, others)
+        """Return the arrays of a cell by their series.
+
+        `z` are unknowns of the usual sizes, `others` the cell at `Interval.some`.
+        """
+        found, before = arrays(cell), 2 * len(cell.phases) + len(cell.memory)
+        divided, cells = divided_phases(cell, z[before:]), (cell, *others)
+        for p in range(len(cell.phases)):
+            begins = begins_still if divided[p] else begins_slowly
+            if all(begins(each, p) for each in cells):
+                slowly = not (divided[p] or of_speed(cell, p))
+                divided[p] = 3 if slowly else 2
+        given = found.kinds, found.setting, series, divided, weights(cell, z)
+        return Along(*given, before, float(cell.sign))
 
     def functions(self) -> dict[str, Any]:
         """Return the functions of a branch, in the form that is quicker by now."""

@@ -7,7 +7,7 @@ weight.
 
 Of a phase that begins on the surface where it ends, the row of the event vanishes with the
 duration: what the event's form gains is divided by it; twice, where the phase begins without
-speed (see `along.framed`).
+speed (see `Course.framed`).
 
 Plain Python, or compiled by numba with the exact equations.
 """

@@ -190,12 +190,7 @@ class Family(OfRows):
     @property
     def other_parameters(self) -> str:
         """The parameters that do not vary, by their symbols, in one line."""
-        parts = (
-            f"{q.symbol} = {self.case.values[q.name]:.4g} {q.unit}".rstrip()
-            for q in self.case.scene.parameters
-            if q.name != self.parameter
-        )
-        return ", ".join(parts)
+        return self.case.described(self.parameter)
 
     def durations_of(self, row: FamilyRow) -> dict[str, float]:
         """Return the durations of a cell's phases in s, by name; empty without an orbit."""

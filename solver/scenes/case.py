@@ -168,14 +168,16 @@ class Case:
     @property
     def description(self) -> str:
         """The parameters in one line, by their symbols, for captions."""
-        parts = (
-            f"{parameter.symbol} = {value:.4g} {parameter.unit}".rstrip()
-            for parameter, value in zip(
-                self.scene.parameters, self.values.values(), strict=True
-            )
-        )
-        text = ", ".join(parts)
+        text = self.described()
         return text if self.cycles == 1 else f"{text}; {self.cycles} cycles of the forcing"
+
+    def described(self, but: str = "") -> str:
+        """Return the parameters in one line, by their symbols, but for one."""
+        return ", ".join(
+            f"{q.symbol} = {self.values[q.name]:.4g} {q.unit}".rstrip()
+            for q in self.scene.parameters
+            if q.name != but
+        )
 
 
 def check_case(case: object) -> None:

@@ -377,7 +377,7 @@ MUTANTS = (
     ),
     Mutant(
         "a flight that begins without speed has its event divided once",
-        "solver/branch/along.py",
+        "solver/branch/course.py",
         "divided[p] = 3 if slowly else 2\n",
         "divided[p] = 3 if slowly else divided[p]\n",
         (f"{EVENTS}::test_what_happens_is_located_to_rounding",),
