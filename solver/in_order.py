@@ -13,6 +13,7 @@ from .scenes.orders import (
     MIRRORED,
     Order,
     Step,
+    declared_as,
     half_if_mirrored,
     in_order,
     pairs,
@@ -83,10 +84,6 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
     """
     base = case.of_fullest()
     listed = known(base).listed
-    declared = {
-        ",".join([*each.phases, MIRRORED] if each.half_period else each.phases)
-        for each in case.scene.whole.each_motion
-    }
     seen: set[Order] = set()
     for settled in from_several_states(base, FEW if listed else PHASES):
         other = settled.other.within(case.cycles) if settled.other else None
@@ -94,8 +91,8 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
             continue
         if settled.conclusive:
             seen.add(other.order)
-        scene = in_order(base.scene, other.order)
-        if scene.motion not in declared:
+        if declared_as(base.scene, other.order) is None:
+            scene = in_order(base.scene, other.order)
             yield Case(scene, case.values, case.cycles), other.times
 
 

@@ -91,7 +91,8 @@ class Course(Itinerary):
         q = (p + 1) % len(cell.phases)
         if cell.phases[q].held:
             return None
-        return float(z[2 * q + 1]) * (cell.sign if q == 0 else 1)
+        v = self.moving_at(self.case_of(cell, []), z, q, 0.0)[1]
+        return v * (cell.sign if q == 0 else 1)
 
     def word(self, row: Row) -> str:
         """Return what it is called where a form that is watched vanishes.

@@ -54,5 +54,5 @@ def _at_phase_zero(piece: Piece, place: Place, turn: float) -> tuple[float, floa
 def event_of(found: Found) -> BranchEvent:
     """Return what happens on a branch as users read it."""
     course, p = found.piece.course, found.phase
-    phase = None if p is None else course.name(course.order.steps[p])
+    phase = None if p is None else course.order.steps[p].called(course.base.phases)
     return BranchEvent(found.kind, found.value, course.motion, phase, found.estimate)

@@ -9,7 +9,7 @@ Of more phases the linear response of the slow modes leads to one solution, in a
 the time of the starts all around.  These follow where it is no stable orbit.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -26,6 +26,7 @@ from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..simulation import homotopy
 from ..stability.stability import is_stable
+from .enclosure import halved
 from .one_phase import ROUNDING, on_the_circle
 
 #: Modes that are scanned with: so many, and all below so many times the forcing's frequency.
@@ -40,14 +41,11 @@ PARTS = (1.0, 0.7, 0.4, 0.2, 0.1)
 #: Shortest duration that is looked at, as a part of the cell.
 SHORTEST = 1e-6
 
-#: How near to a root of the scan Newton's method begins, as a part of the cell.
-WITHIN = 1e-9
+#: Halvings of what is between two durations to where Newton's method begins.
+HALVINGS = 24
 
 #: Entries of the maps of states that are kept at once.
 ROOM = 2_000_000
-
-#: Points at which a root is looked for at once.
-SPLIT = 17
 
 #: Differences of times, as parts of the cell, below which two solutions are one.
 SAME = 1e-7
@@ -188,18 +186,19 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
     close = np.geomspace(SHORTEST, even[0], AT_ENDS, endpoint=False)
     parts = np.concatenate([close, even, 1 - close[::-1]])
 
-    def defect(parts: Vector) -> Vector:
+    def side(parts: Vector) -> Vector:
         found = _both(quick, parts)
         (a, b, c), (d, e, f) = (found[:, p].T for p in (0, 1))
         determinant = a * e - b * d
         cos, sin = b * f - c * e, c * d - a * f  # times the determinant
         size = np.abs(a * e) + np.abs(b * d) + np.abs(cos) + np.abs(sin)
         size[size == 0] = 1.0
-        return np.asarray((cos**2 + sin**2 - determinant**2) / size**2)
+        return np.asarray(np.sign((cos**2 + sin**2 - determinant**2) / size**2))
 
     yield from _symmetric(quick)
-    for i in np.flatnonzero(np.diff(np.sign(defect(parts)))):
-        root = _narrowed(defect, float(parts[i]), float(parts[i + 1]))
+    i = np.flatnonzero(np.diff(side(parts)))
+    roots = halved(side, parts[i], parts[i + 1], HALVINGS) if len(i) else i
+    for root in map(float, roots):
         (a, b, c), (d, e, f) = _both(quick, np.array([root]))[0]
         determinant = a * e - b * d
         if determinant == 0:  # any angle would do, or what grows is beyond float64
@@ -207,16 +206,6 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
         angle = np.arctan2((c * d - a * f) / determinant, (b * f - c * e) / determinant)
         durations = (root * cell.duration, (1 - root) * cell.duration)
         yield RoughTimes(durations, float(angle) % (2 * np.pi), "a scan of the exact equations")
-
-
-def _narrowed(function: Callable[[Vector], Vector], low: float, high: float) -> float:
-    """Return a root between two places at which the signs of a function differ."""
-    while high - low > WITHIN:
-        inside = np.linspace(low, high, SPLIT)
-        signs = np.sign(function(inside))
-        i = int(np.append(np.flatnonzero(signs[1:] != signs[0]), 0)[0])
-        low, high = float(inside[i]), float(inside[i + 1])
-    return (low + high) / 2
 
 
 def _symmetric(cell: BodyCell) -> Iterator[RoughTimes]:

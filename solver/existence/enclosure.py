@@ -11,6 +11,7 @@ equations: they cannot be taken for none.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -189,19 +190,27 @@ def _bisected(
     """Return the roots of ``D = R`` and ``D = -R`` in parts where these change their sign."""
     places, signs = [], []
     for sign in (1.0, -1.0):
-
-        def above(C: Matrix, w: Vector, sign: float = sign) -> Vector:
-            D, P, Q = _values(C, w)
-            return np.asarray(sign * D >= np.hypot(P, Q))
-
         C = parts.coefficients[:, which]
-        begin = above(C, low)
-        crossed = begin != above(C, high)
-        C, begin, a, b = C[:, crossed], begin[crossed], low[crossed], high[crossed]
-        for _ in range(HALVINGS):
-            middle = (a + b) / 2
-            before = above(C, middle) == begin
-            a, b = np.where(before, middle, a), np.where(before, b, middle)
-        places.append(_place(parts.taken(which[crossed]), (a + b) / 2))
-        signs.append(np.full(len(a), sign))
+        crossed = _above(sign, C, low) != _above(sign, C, high)
+        above = partial(_above, sign, C[:, crossed])
+        w = halved(above, low[crossed], high[crossed], HALVINGS)
+        places.append(_place(parts.taken(which[crossed]), w))
+        signs.append(np.full(len(w), sign))
     return np.concatenate(places), np.concatenate(signs)
+
+
+def _above(sign: float, C: Matrix, w: Vector) -> Vector:
+    D, P, Q = _values(C, w)
+    return np.asarray(sign * D >= np.hypot(P, Q))
+
+
+def halved(
+    side: Callable[[Vector], Vector], low: Vector, high: Vector, halvings: int
+) -> Vector:
+    """Return where in each of several intervals a function is no more what it is at `low`."""
+    begin = side(low)
+    for _ in range(halvings):
+        middle = (low + high) / 2
+        before = side(middle) == begin
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return (low + high) / 2

@@ -97,13 +97,9 @@ def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
     if not len(intervals):
         return np.empty(0)
     low, high = intervals.T
-    begin = above(low)
-    changes = begin != above(high)
-    for _ in range(HALVINGS if changes.any() else 0):
-        middle = (low + high) / 2
-        before = above(middle) == begin
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    places = np.where(changes, (low + high) / 2, intervals.mean(axis=1))
+    changes = above(low) != above(high)
+    inside = enclosure.halved(above, low, high, HALVINGS if changes.any() else 0)
+    places = np.where(changes, inside, intervals.mean(axis=1))
     shortest = np.minimum(places, cell.duration - places)
     return np.asarray(places[np.lexsort((-shortest, ~changes))])
 

@@ -29,6 +29,10 @@ class Step(NamedTuple):
     phase: int
     mirrored: bool = False
 
+    def called(self, names: Sequence[str]) -> str:
+        """Return the name of the phase, by those of all, with a minus if it is mirrored."""
+        return f"{'-' * self.mirrored}{names[self.phase]}"
+
 
 @dataclass(frozen=True)
 class Order:
@@ -96,8 +100,7 @@ class OrderedScene(LoadedScene):
 
         ``mirrored`` at the end says that the other half of the period is the mirror image.
         """
-        names = self.base.phases
-        words = [f"{'-' * q.mirrored}{names[q.phase]}" for q in self.order.steps]
+        words = [step.called(self.base.phases) for step in self.order.steps]
         return ",".join([*words, MIRRORED] if self.half_period else words)
 
     @property
@@ -187,6 +190,13 @@ class OrderedScene(LoadedScene):
             raise ParameterError([problem])
         found = in_cell(declared, self.order)
         return replace(found, classes=self.classes, k=self.k, cycles=cycles)
+
+
+def declared_as(base: LoadedScene, order: Order) -> LoadedScene | None:
+    """Return the motion of a scene that declares an order of the phases of one, if one does."""
+    names = [step.called(base.phases) for step in order.steps]
+    every = (q for q in base.whole.each_motion if q.half_period == order.half_period)
+    return next((q for q in every if [*q.phases] == names), None)
 
 
 def in_order(base: LoadedScene, order: Order) -> OrderedScene:

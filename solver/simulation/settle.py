@@ -234,7 +234,7 @@ def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
 def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     """Return on which other order of phases a motion settles, and that in words."""
     count = round(sum(q.s for q in again) / cycle(cell))
-    names = ", ".join("-" * q.named.mirrored + cell.phases[q.named.phase].name for q in again)
+    names = ", ".join(q.named.called([phase.name for phase in cell.phases]) for q in again)
     every = "each period" if count == 1 else f"every {count} periods"
     within = f", in {every} of the forcing" if cell.forced else ""
     words = f"a simulation settles on another order of phases: {names}{within}"

@@ -143,10 +143,7 @@ class BodyCourse(Course):
         Of bodies without a memory, where it does not jump.
         """
         jumps = any(jump != (1.0, 0.0) for jump in cell.phases[p].jumps)
-        if cell.phases[(p + 1) % len(cell.phases)].held or jumps or cell.memory:
-            return None
-        s = float(z[len(z) - len(cell.phases) - cell.forced + p])
-        return self.moving_at(case_of(cell, []), z, p, s)[1]
+        return None if jumps or cell.memory else super().velocity_behind(cell, z, p)
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, without units, for `equations.case_at`."""

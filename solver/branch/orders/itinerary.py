@@ -10,7 +10,7 @@ from ...scenes.loaded import LoadedScene
 from ...scenes.orders import (
     Order,
     OrderedScene,
-    Step,
+    declared_as,
     image,
     in_cell,
     in_order,
@@ -49,16 +49,13 @@ class Itinerary:
     @cached_property
     def declared(self) -> LoadedScene | None:
         """The scene of one motion that declares this order, if one does."""
-        own, half = [self.name(step) for step in self.order.steps], self.order.half_period
-        every = () if self.endless else self.base.whole.each_motion
-        same = (q for q in every if [*q.phases] == own and q.half_period == half)
-        return next(same, None)
+        return None if self.endless else declared_as(self.base, self.order)
 
     @property
     def motion(self) -> str | None:
         """What users call it: as the scene does, or its phases in order; see `orders`."""
         if self.endless:
-            return self.name(self.order.steps[0])
+            return self.order.steps[0].called(self.base.phases)
         if self.declared is not None:
             return self.declared.motion
         return self._scene.motion
@@ -78,10 +75,6 @@ class Itinerary:
             name = in_order(self.base, Order(steps, half)).motion
             turns.append((sum(step.mirrored for step in steps), name))
         return min(turns)[1]
-
-    def name(self, step: Step) -> str:
-        """Return the name of a phase, with a minus if it is mirrored."""
-        return f"{'-' * step.mirrored}{self.base.phases[step.phase]}"
 
     def case(self, case: Case) -> Case:
         """Return a case of the same parameters whose motion has this order."""
