@@ -161,9 +161,10 @@ def _followed(case: Case, start: AnyState, most: int) -> Settled:
         motion = Simulation(case, tuple(segments), ended)
         windows = (machine.window(machine.number(q.began)) for q in more)
         spent += sum(effort(window, q.s) for window, q in zip(windows, more, strict=True))
-        found = _came_to(cell, motion)
-        if found or cycles >= _lasting(cell) or spent > most - 1:
-            return found or _unsettled(cell, motion)
+        found = settled(cell, motion)
+        enough = found.conclusive or motion.ended or spent > most - 1
+        if enough or cycles >= _lasting(cell):
+            return found
         cycles = min(LONGER * cycles, _lasting(cell))
 
 
@@ -173,30 +174,23 @@ def _lasting(cell: Cell) -> float:
 
 
 def settled(cell: Cell, motion: Simulation) -> Settled:
-    """Return what a motion of a cell came to, by its last phases."""
-    return _came_to(cell, motion) or _unsettled(cell, motion)
+    """Return what a motion of a cell came to, by its last phases.
 
-
-def _unsettled(cell: Cell, motion: Simulation) -> Settled:
-    """Return that a motion has not settled; with its last phases, where they almost repeat."""
-    last = motion.segments[-1]
-    cycles = round((last.t + last.s) / cycle(cell))
-    words = f"a simulation of {cycles} cycles does not settle"
-    again = None if motion.ended else repeated(cell, motion.segments, ROUGH)
-    if again is None:
-        return Settled(None, words, conclusive=False)
-    return replace(_settled_on(cell, again), words=words, conclusive=False)
-
-
-def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
-    """Return what a motion came to; None if it has not settled yet."""
+    Of one that has not settled these are kept as well, where they almost repeat.
+    """
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}", conclusive=False)
     last = motion.segments[-1]
     if last.lasts(cell.omega):
         return Settled(None, WITHOUT_SWITCHES)
     again = repeated(cell, motion.segments)
-    return None if again is None else _settled_on(cell, again)
+    if again is not None:
+        return _settled_on(cell, again)
+    cycles = round((last.t + last.s) / cycle(cell))
+    words = f"a simulation of {cycles} cycles does not settle"
+    again = repeated(cell, motion.segments, ROUGH)
+    found = Settled(None, words) if again is None else _settled_on(cell, again)
+    return replace(found, words=words, conclusive=False)
 
 
 def _settled_on(cell: Cell, again: tuple[Segment, ...]) -> Settled:
