@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -73,13 +72,12 @@ def curves_of(happened: Iterable[Happening], planes: Sequence[Plane]) -> list[Cu
 
 def _gauge(plane: Plane, event: Happening) -> int | None:
     """Return which gauge of a plane vanishes at an event; None if it watches no such thing."""
-    what, which, *where = event.gauge
-    if what == "orbit":
-        return GAUGES[str(which)]
-    if what == "duration":
-        return 3 * len(plane.rows) + int(str(which))
-    rows: list[Any] = [*plane.rows]
-    return 3 * rows.index(which) + int(str(where[0])) if which in rows else None
+    what, number = event.gauge
+    if isinstance(what, str):
+        return GAUGES[what]
+    if what is None:
+        return 3 * len(plane.rows) + number
+    return 3 * plane.rows.index(what) + number if what in plane.rows else None
 
 
 def _followed(kind: str, plane: Plane, gauge: int, y: Vector, across: int) -> list[Curve]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..branch.branch import Both
-from ..branch.course import Course
+from ..branch.course import Course, Row
 from ..branch.locate import OF_THE_ORBIT, Found
 from ..branch.piece import Piece, Place
 from ..branches import every_way
@@ -16,6 +16,9 @@ from .plane import Bounds
 
 #: Values on a line at which orbits are looked for.
 VALUES = 5
+
+#: What vanishes at an event: a form, and where in it; a duration, of which phase; or a word.
+Gauge = tuple[Row | str | None, int]
 
 
 @dataclass(frozen=True)
@@ -45,7 +48,7 @@ class Happening:
 
     kind: str
     course: Course
-    gauge: tuple[object, ...]
+    gauge: Gauge
     point: Vector
     across: int
 
@@ -97,12 +100,12 @@ def _point(value: float, piece: Piece, place: Place, across: int) -> Vector:
     return np.concatenate([y, where if across == 1 else where[::-1]])
 
 
-def gauge_of(found: Found) -> tuple[object, ...]:
-    """Return what vanishes at an event: a form and where in it, a duration, or a word."""
+def gauge_of(found: Found) -> Gauge:
+    """Return what vanishes at an event."""
     piece, i = found.piece, found.gauge
     forms, phases = 3 * len(piece.rows), len(piece.along.kinds)
     if i < forms:
-        return "form", piece.rows[i // 3], i % 3
+        return piece.rows[i // 3], i % 3
     if i < forms + phases:
-        return "duration", i - forms
-    return "orbit", OF_THE_ORBIT[i - forms - phases]
+        return None, i - forms
+    return OF_THE_ORBIT[i - forms - phases], 0

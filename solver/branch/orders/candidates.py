@@ -199,15 +199,11 @@ class AtEvent:
         given = self.equations, piece.table, self.z, self.found.row
         when = float(piece.functions["when_least"](*given))
         state = self.course.state(self.equations, self.z, p, when)
-        for step in (None, *self.steps):
-            if step is None:
-                jumps = self.machine.node(ended).changes_velocity
-                follows = jumps and self._may(ended, slot.step)
-            else:
-                follows = self._may(ended, step) and self._may(step, slot.step)
-            if not follows:
-                continue
-            new = [] if step is None else [Slot(step, state, 0.0)]
+        between = [q for q in self.steps if self._may(ended, q) and self._may(q, slot.step)]
+        ways = [[Slot(step, state, 0.0)] for step in between]
+        if self.machine.node(ended).changes_velocity and self._may(ended, slot.step):
+            ways.insert(0, [])
+        for new in ways:
             if self.course.endless:
                 angle = self._angle(p) + self.cell.omega * when
                 yield from self._cut(new, Slot(ended, state, slot.s), angle)
