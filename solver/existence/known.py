@@ -28,7 +28,8 @@ from . import bodies, one_phase, two_phases
 #: Differences of times, as parts of a cell, below which two solutions are one.
 SAME = 1e-11
 
-#: How far Newton's method may lead from a root, as a part of a cell, to what is the same.
+#: How far Newton's method may lead from a root, as a part of a cell, to what is the same; and
+#: what two orbits that are one may differ by in the phase of the forcing.
 NEAR = 1e-6
 
 
@@ -113,10 +114,19 @@ def others(orbit: ExactOrbit) -> list[ExactOrbit]:
 
 
 def are_one(orbit: ExactOrbit, other: ExactOrbit) -> bool:
-    """Whether two orbits of an oscillator are one, with whichever of its phases it begins."""
-    phases, count = other.phases, len(other.phases)
-    turns = range(count if count == len(orbit.phases) else 0)
-    return any(are_same(orbit, [*phases[i:], *phases[:i]]) for i in turns)
+    """Whether two orbits of an oscillator are one, with whichever of its phases it begins.
+
+    The same motion at another phase of the forcing is another one.
+    """
+    phases, rate = other.phases, other.case.cell.omega / other.case.units.time
+    if len(phases) != len(orbit.phases):
+        return False
+    for i in range(len(phases)):
+        turned = orbit.angle - other.angle - rate * math.fsum(other.durations[:i])
+        at_once = abs(math.remainder(turned, 2 * math.pi)) <= NEAR
+        if at_once and are_same(orbit, [*phases[i:], *phases[:i]]):
+            return True
+    return False
 
 
 def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:

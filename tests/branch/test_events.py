@@ -333,6 +333,15 @@ def test_orbits_are_one_wherever_they_begin() -> None:
     assert not are_one(one, exact_orbit(stop))
 
 
+def test_the_same_flight_at_another_phase_of_the_forcing_is_another_orbit() -> None:
+    """Of a ball on a table, which is free in flight, the one is stable and the other is not."""
+    ball = ns.scene(ROOT / "examples" / "bouncing_ball.py")()
+    one, other = known_orbits(ball)
+    assert one.durations == pytest.approx(other.durations, rel=1e-12)
+    assert not are_one(one, other)
+    assert (one.stable, other.stable) == (True, False)
+
+
 def test_impacts_that_follow_ever_faster_are_put_in() -> None:
     """A touch just behind an impact is not between two times of a grid, but in one step."""
     case = ns.scene("impact-two-sided")(damping=0.258, gap=0.309, restitution=0.406)
