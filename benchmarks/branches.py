@@ -19,10 +19,11 @@ import numpy as np
 import nonsmooth as ns
 from nonsmooth.solver.branch import walk
 from nonsmooth.solver.branch.bodies.course import BODIES
-from nonsmooth.solver.branch.branch import index_of, start_of
+from nonsmooth.solver.branch.branch import start_of
 from nonsmooth.solver.branch.walk import FAMILY
 from nonsmooth.solver.chart import LINES, planes_of
 from nonsmooth.solver.charts import block, filling, lines
+from nonsmooth.solver.scenes.case import index_of
 from nonsmooth.solver.simulation import machine
 from nonsmooth.solver.simulation import walk as walking
 from nonsmooth.solver.simulation.steps import run

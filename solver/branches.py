@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .branch.branch import Both, Bounds, go, index_of, orbits_at, start_of
+from .branch.branch import Both, Bounds, go, orbits_at, start_of
 from .branch.orders.change import doubled
 from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
@@ -17,7 +17,7 @@ from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
 from .results.branch import Branch, BranchInterrupted
 from .results.family import Beside
-from .scenes.case import Case
+from .scenes.case import Case, index_of
 from .scenes.loaded import UnknownScene
 from .scenes.methods import FIRST
 from .scenes.parameter_error import ParameterError

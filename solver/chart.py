@@ -15,14 +15,13 @@ from typing import Any
 import numpy as np
 
 from .arrays import Integers, Matrix, Vector
-from .branch.branch import index_of
 from .branch.course import Course
 from .charts.block import NEITHER, STABLE, block_of
 from .charts.curves import curves_of
 from .charts.lines import Line, Stretch, line_of
 from .charts.plane import Bounds, Plane
 from .results.chart import Chart, ChartInterrupted, EventCurve
-from .scenes.case import Case, check_case
+from .scenes.case import Case, check_case, index_of
 from .scenes.parameter_error import is_number
 
 #: Least and most values of an axis, and most points.

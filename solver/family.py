@@ -9,13 +9,13 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 
-from .branch.branch import Both, go, index_of, orbits_at, start_of
+from .branch.branch import Both, go, orbits_at, start_of
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
 from .results.family import Family, FamilyInterrupted, FamilyRow
 from .results.orbit import Orbit
-from .scenes.case import Case
+from .scenes.case import Case, index_of
 from .scenes.methods import FIRST
 from .search import check_order
 from .solve import number_of_functions, orbit_beside, solve_case

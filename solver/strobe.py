@@ -9,8 +9,8 @@ import numpy as np
 
 from .arrays import Integers, Matrix, Vector
 from .results.strobe import Attractor, Basins, Diagram
-from .scenes.case import Case, check_case
-from .scenes.parameter_error import ParameterError, is_number, whole
+from .scenes.case import Case, check_case, index_of
+from .scenes.parameter_error import is_number, whole
 from .simulation.bodies.machine import BodyMachine
 from .simulation.bodies.units import state_of, units_of
 from .simulation.machine import Machine
@@ -76,10 +76,7 @@ def diagram(
     ((4, 2), np.True_)
     """
     _check_forced(case)
-    names = [q.name for q in case.scene.parameters]
-    if parameter not in names:
-        expected = f"one of {', '.join(names)}"
-        raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
+    index_of(case, parameter)
     cases = [
         case.with_value(parameter, value).of_fullest() for value in _several("values", values)
     ]

@@ -11,7 +11,6 @@ from ..arrays import Vector
 from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
 from ..scenes.orders import Order, OrderedScene, Step
-from ..scenes.parameter_error import ParameterError
 from .bodies.course import BodyCourse
 from .course import Course
 from .follow import CLOSED, PART, RANGE, Segment, follow, in_units
@@ -71,21 +70,6 @@ class Both:
         ends = [way[-1].why if way else "" for way in (self.back, self.forth)]
         back, forth = (CLOSED, CLOSED) if CLOSED in ends[:1] else ends
         return back or RANGE, forth or RANGE
-
-
-def index_of(case: Case, parameter: str) -> int:
-    """Return which parameter of a case has a name.
-
-    Raises
-    ------
-    ParameterError
-        If none has.
-    """
-    names = [q.name for q in case.scene.parameters]
-    if parameter not in names:
-        expected = f"one of {', '.join(names)}"
-        raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
-    return names.index(parameter)
 
 
 def course_of(case: Case) -> Course:

@@ -1,6 +1,6 @@
 """The equations of an order of phases over two parameters, in one set of units."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
@@ -71,7 +71,8 @@ class Plane:
         rows = tuple(course.rows(case.numbers, own))
         series = _series(course, case, indices, bounds, rows)
         table = course.table(case.numbers, own, rows)
-        others = map(course.cell, _some(case, indices, bounds))
+        points = product(*(q.some() for q in _intervals(case, indices, bounds)))
+        others = (course.cell(_with(case, indices, point)) for point in points)
         whole = course.framed(cell, own, series, others)
         return cls(course, case, indices, bounds, whole, rows, table)
 
@@ -107,32 +108,32 @@ class Plane:
         return self.course.orbit(case, y[:-2] * self.sizes / own)
 
 
-def _some(case: Case, indices: tuple[int, int], bounds: Bounds) -> Iterator[tuple[float, ...]]:
-    """Yield all parameters, without units, at the corners of a rectangle and some points."""
-    for point in product(*(Interval(*ends).some() for ends in bounds)):
-        numbers = list(case.numbers)
-        for index, value in zip(indices, point, strict=True):
-            numbers[index] = value / unit_of(case, index)
-        yield tuple(numbers)
+def _intervals(case: Case, indices: tuple[int, int], bounds: Bounds) -> list[Interval]:
+    """Return the ranges of both parameters, without units."""
+    return [Interval(*np.divide(bounds[i], unit_of(case, indices[i]))) for i in (0, 1)]
+
+
+def _with(case: Case, indices: tuple[int, int], values: Sequence[float]) -> tuple[float, ...]:
+    """Return all parameters, without units, two of which have other values."""
+    numbers = list(case.numbers)
+    numbers[indices[0]], numbers[indices[1]] = map(float, values)
+    return tuple(numbers)
 
 
 def _series(
     course: Course, case: Case, indices: tuple[int, int], bounds: Bounds, rows: Sequence[Row]
 ) -> Matrix:
     """Return the Chebyshev coefficients of all entries over a rectangle."""
-    ends = [np.divide(bounds[i], unit_of(case, indices[i])) for i in (0, 1)]
+    intervals = _intervals(case, indices, bounds)
     cell = course.cell(case.numbers)
     blocks = course.blocks(cell, course.forms(case.numbers, rows, cell))
     for terms in TERMS:
         at, table = chebyshev(terms)
         values = []
-        for a in map(Interval(*ends[0]).value, at):
-            for b in map(Interval(*ends[1]).value, at):
-                numbers = list(case.numbers)
-                numbers[indices[0]], numbers[indices[1]] = float(a), float(b)
-                cell = course.cell(tuple(numbers))
-                forms = course.forms(tuple(numbers), rows, cell)
-                values.append(course.entries(cell, forms))
+        for point in product(*(map(q.value, at) for q in intervals)):
+            numbers = _with(case, indices, point)
+            cell = course.cell(numbers)
+            values.append(course.entries(cell, course.forms(numbers, rows, cell)))
         grid = np.array(values).T.reshape(-1, terms, terms)
         found = table @ grid @ table.T
         largest = of_blocks(np.abs(grid).max(axis=(1, 2)), blocks)[:, None, None]

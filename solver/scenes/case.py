@@ -192,6 +192,21 @@ def check_case(case: object) -> None:
         raise TypeError(f"case: got {case!r:.80}, expected a case of ns.scene(...)")
 
 
+def index_of(case: Case, parameter: str) -> int:
+    """Return which parameter of a case has a name.
+
+    Raises
+    ------
+    ParameterError
+        If none has.
+    """
+    names = [q.name for q in case.scene.parameters]
+    if parameter not in names:
+        expected = f"one of {', '.join(names)}"
+        raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
+    return names.index(parameter)
+
+
 def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
     """Return what is wrong with the number of periods of the forcing."""
     whole = isinstance(cycles, Integral) and not isinstance(cycles, bool)

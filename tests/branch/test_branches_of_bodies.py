@@ -15,7 +15,7 @@ from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.branch.bodies import equations
 from nonsmooth.solver.branch.bodies.arrays import case_of
 from nonsmooth.solver.branch.bodies.course import BodyCourse
-from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
+from nonsmooth.solver.branch.branch import Both, go, start_of
 from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.branch.rows import row_of
 from nonsmooth.solver.branches import branch_case
@@ -23,7 +23,7 @@ from nonsmooth.solver.charts.curves import GAUGES, REAL, _followed
 from nonsmooth.solver.charts.plane import Plane
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
-from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.case import Case, index_of
 from nonsmooth.solver.stability.stability import stability
 
 #: Most of the range of a parameter in a step.
