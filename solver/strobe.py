@@ -18,7 +18,6 @@ from .simulation.machines import machine_of
 from .simulation.repeats import slowest_decay
 from .simulation.simulate import cycle
 from .simulation.steps.state import AnyState, State
-from .simulation.walk import strobed
 
 #: Periods that are left to a transient, and that are kept; of a basin, those in all.
 TRANSIENT, KEPT, CYCLES = 200, 50, 100
@@ -218,7 +217,7 @@ def _followed(
     if start is None:
         return np.empty((0, len(seen))), None
     own = units_of(case, machine) if isinstance(machine, BodyMachine) else seen
-    found = strobed(machine, start, cycles)[0] * own
+    found = machine.strobed(start, cycles)[0] * own
     return found[:, : len(seen)], found[-1] if len(found) == cycles + 1 else None
 
 

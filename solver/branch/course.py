@@ -1,7 +1,6 @@
 """The equations of an order of phases along a branch, and what is watched there."""
 
 from collections.abc import Iterable, Sequence
-from contextlib import AbstractContextManager
 from dataclasses import replace
 from itertools import chain
 from typing import Any, ClassVar, NamedTuple
@@ -193,13 +192,10 @@ class Course(Itinerary):
         given = found.kinds, found.setting, series, divided, weights(cell, z)
         return Along(*given, before, float(cell.sign))
 
-    def functions(self) -> dict[str, Any]:
-        """Return the functions of a branch, in the form that is quicker by now."""
-        return self.family.quicker(walk.__name__)
-
-    def spending(self) -> AbstractContextManager[None]:
-        """Return what counts the time within as that of branches in plain Python."""
-        return self.family.account_of(walk.__name__).spending()
+    def by(self, name: str, *arguments: Any) -> Any:
+        """Return what a function of a branch makes of arguments; see `Family.call`."""
+        with np.errstate(all="ignore"):
+            return self.family.call(walk.__name__, name, *arguments)
 
     @property
     def mapped(self) -> int:

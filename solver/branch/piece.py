@@ -138,7 +138,7 @@ class Piece:
 
     def equations(self, y: Vector) -> Any:
         """Return the equations at an orbit; see `extended.case_at`."""
-        return self.functions["case_at"](self.along, float(y[-1]))
+        return self.course.by("case_at", self.along, float(y[-1]))
 
     def maps(self, place: Place) -> tuple[Matrix, Matrix]:
         """Return what the cell makes of perturbations, before it is mirrored, and its size."""
@@ -164,11 +164,6 @@ class Piece:
         """The cell for the parameters of the case: how many phases it has, and which."""
         return self.course.cell(self.case.numbers)
 
-    @cached_property
-    def functions(self) -> dict[str, Any]:
-        """The functions of a branch, in the form that is quicker by now."""
-        return self.course.functions()
-
     def place(self, y: Vector, border: Vector) -> Place:
         """Return an orbit, its tangent on the side of `border`.
 
@@ -179,9 +174,8 @@ class Piece:
         """
         more = self.course.mapped
         extremes, maps = np.empty((2, 2)), np.empty((2, more, more))
-        with self.course.spending(), np.errstate(all="ignore"):
-            given = self.along, self.table, y, border, extremes, maps
-            direction, gauges = self.functions["look"](*given)
+        given = self.along, self.table, y, border, extremes, maps
+        direction, gauges = self.course.by("look", *given)
         if not np.isfinite(direction).all():
             raise NoStepError
         return Place(y, direction, gauges, extremes, maps)
@@ -194,15 +188,14 @@ class Piece:
         NoStepError
         """
         found = y.copy()
-        with self.course.spending(), np.errstate(all="ignore"):
-            if not self.functions["corrected"](self.along, found, border)[0]:
-                raise NoStepError
+        if not self.course.by("corrected", self.along, found, border)[0]:
+            raise NoStepError
         return found
 
     def free(self, y: Vector) -> Matrix:
         """Return directions in turn, the last ones those that the equations leave free."""
         J = np.empty((len(y) - 1, len(y)))
-        self.functions["rates"](self.along, y[:-1], y[-1], J)
+        self.course.by("rates", self.along, y[:-1], y[-1], J)
         J /= self.along.weights
         found: Matrix = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2]
         return found
@@ -214,9 +207,8 @@ class Piece:
         ------
         NoStepError
         """
-        with self.course.spending(), np.errstate(all="ignore"):
-            given = self.along, place.y, place.direction, length
-            converged, _, y = self.functions["stepped"](*given)
+        given = self.along, place.y, place.direction, length
+        converged, _, y = self.course.by("stepped", *given)
         if not converged:
             raise NoStepError
         return self.place(y, place.direction)
@@ -250,9 +242,8 @@ class Piece:
             np.empty(room + 1),
         )
         Y[0], D[0], V[0], E[0], T[0] = vars(place).values()
-        with self.course.spending(), np.errstate(all="ignore"):
-            given = self.along, self.table, length, most / self.sizes[-1]
-            last, why, length = self.functions["walk"](*given, Y, D, V, E, T, S)
+        given = self.along, self.table, length, most / self.sizes[-1]
+        last, why, length = self.course.by("walk", *given, Y, D, V, E, T, S)
         places = [Place(Y[i], D[i], V[i], E[i], T[i]) for i in range(1, last + 1)]
         return places, S[1 : last + 1], why, length
 

@@ -11,7 +11,7 @@ from ..branch import walk
 from ..branch.bodies.course import BODIES
 from ..branch.walk import MODULES
 from ..kernels import linking
-from ..kernels.compiling import Account, rebuilt
+from ..kernels.compiling import rebuilt
 from ..kernels.family import Family
 from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import ROUNDING, of_monodromy
@@ -40,19 +40,12 @@ OF_BODIES = Family(
 )
 
 
-def family_of(plane: Plane) -> Family:
-    """Return how the functions of a plane are made."""
-    return OF_BODIES if plane.course.family is BODIES else FAMILY
-
-
-def account(plane: Plane) -> Account:
-    """Return what all maps of its kind have cost in plain Python."""
-    return family_of(plane).account_of(filling.__name__)
-
-
-def functions(plane: Plane) -> dict[str, Any]:
-    """Return the functions of maps, in the form that is quicker by now."""
-    return family_of(plane).quicker(filling.__name__)
+def by(name: str, plane: Plane, *arguments: Any) -> Any:
+    """Return what a function of maps makes of a plane and some arguments."""
+    family = OF_BODIES if plane.course.family is BODIES else FAMILY
+    given = plane.series, plane.table, *arguments
+    with np.errstate(all="ignore"):
+        return family.call(filling.__name__, name, *given)
 
 
 def block_of(
@@ -91,15 +84,11 @@ def orbits_of(
     n, size = seeds.shape[1] - 2, plane.perturbed
     near = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
     orbits = _room(4 * len(near) + ROOM, len(A) * len(B), n, size)
-    given = plane.series, plane.table, A, B
-    with account(plane).spending(), np.errstate(all="ignore"):
-        count = functions(plane)["sown"](*given, wide, near, orbits)
-    begin = 0
+    begin, count = 0, by("sown", plane, A, B, wide, near, orbits)
     while begin < count:
         if count == len(orbits[0]):
             orbits = _larger(orbits, len(A) * len(B), n, size)
-        with account(plane).spending(), np.errstate(all="ignore"):
-            begin, count = functions(plane)["fill"](*given, begin, count, orbits)
+        begin, count = by("fill", plane, A, B, begin, count, orbits)
     Z, at, _, links, _, _, maps = (part[:count] for part in orbits)
 
     def is_one(k: int) -> bool:

@@ -10,7 +10,7 @@ from ..branch.follow import CLOSED, RANGE
 from ..branch.locate import TURNED
 from ..branch.walk import FLIP, MEETS, OWN, PAIRS
 from ..stability.stability import stability
-from .block import account, functions
+from .block import by
 from .lines import Happening
 from .plane import Plane
 
@@ -180,8 +180,7 @@ def _unit(size: int, which: int) -> Vector:
 
 
 def _gauges(plane: Plane, y: Vector) -> Vector:
-    with account(plane).spending(), np.errstate(all="ignore"):
-        found: Vector = functions(plane)["gauges_at"](plane.series, plane.table, y)
+    found: Vector = by("gauges_at", plane, y)
     return found
 
 
@@ -191,7 +190,5 @@ def _pinned(
     """Return where Newton's method leads across a border, None if nowhere, and the tangent."""
     number = len(_gauges(plane, y)) + gauge if gauge < 0 else gauge
     found = y.copy()
-    with account(plane).spending(), np.errstate(all="ignore"):
-        given = plane.series, plane.table, number, found, border
-        converged, direction = functions(plane)["pinned"](*given)
+    converged, direction = by("pinned", plane, number, found, border)
     return (found if converged else None), direction

@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from ..arrays import Integers, Matrix
 from ..flow import divided, responses
 from ..kernels import linking
 from ..kernels.family import Family
@@ -92,14 +93,6 @@ class Machine:
         """Return what a function makes of the rules and of some arguments."""
         return self.functions[name](self.rules, *arguments)
 
-    def follow(self, name: str, *arguments: Any) -> Any:
-        """Return what `step` or `run` does: in plain Python, or compiled once that pays."""
-        account = self.family.account_of(run.__name__)
-        if account.pays():
-            return self.family.compiled(run.__name__)[name](self.rules, *arguments)
-        with account.spending():
-            return self.by(name, *arguments)
-
     def number(self, one: Step) -> int:
         """Return the number of a phase as an order calls it."""
         return one.phase + len(self.cell.phases) * one.mirrored
@@ -133,8 +126,15 @@ class Machine:
 
     def step(self, p: int, state: AnyState, clock: Clock, most: float) -> Passed:
         """Follow a phase from where it begins, for a time at most, and across its switch."""
-        passed: Passed = self.follow("step", p, with_arrays(state), clock, most)
+        given = self.rules, p, with_arrays(state), clock, most
+        passed: Passed = self.family.call(run.__name__, "step", *given)
         return passed
+
+    def strobed(self, start: AnyState, cycles: int) -> tuple[Matrix, Integers, int]:
+        """Return a motion at each whole turn of the forcing from a state on: see `run`."""
+        given = self.rules, with_arrays(start), cycles
+        states, phases, how = self.family.call(run.__name__, "run", *given)
+        return states, phases, how
 
     def after(self, one: Step, end: AnyState) -> Node | None:
         """Return the phase that follows where the event of one ends it in a state."""

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from ..arrays import Integers, Matrix
 from ..scenes.case import Case
-from .machine import Machine, with_arrays
+from .machine import Machine
 from .record import Segment, Simulation
 from .steps.chatter import CHATTER, accumulates, end_of
 from .steps.clock import Clock, at_start
@@ -46,12 +45,6 @@ def follow(case: Case, machine: Machine, start: AnyState, duration: float) -> Si
     """Return the motion of a case from a state that a phase takes, all without units."""
     segments, _, ended = walk(case, machine, Place.first(machine, start), duration)
     return Simulation(case, tuple(segments), ended)
-
-
-def strobed(machine: Machine, start: AnyState, cycles: int) -> tuple[Matrix, Integers, int]:
-    """Return a motion at each whole turn of the forcing from a state on: see `run`."""
-    states, phases, how = machine.follow("run", with_arrays(start), cycles)
-    return states, phases, how
 
 
 def effort(window: float, s: float) -> float:

@@ -96,7 +96,7 @@ def test_divided_equations_and_derivatives_have_a_limit(motion) -> None:
 def test_the_determinant_of_singular_equations_is_zero() -> None:
     there, place = started(MOTIONS[0])
     nowhere = np.zeros(len(place.y))
-    direction, determinant = there.functions["tangent"](there.along, place.y, nowhere)
+    direction, determinant = there.course.by("tangent", there.along, place.y, nowhere)
     assert determinant == 0.0
     assert np.isnan(direction).all()
 

@@ -19,7 +19,7 @@ from nonsmooth.solver.simulation.steps.clock import angle_of, at_start, later, t
 from nonsmooth.solver.simulation.steps.locate import CUT, EVENT
 from nonsmooth.solver.simulation.steps.state import State
 from nonsmooth.solver.simulation.steps.step import CHATTERS, REFUSED
-from nonsmooth.solver.simulation.walk import Place, follow, strobed
+from nonsmooth.solver.simulation.walk import Place, follow
 
 #: Scenes, and one whose impacts accumulate before it rests; bodies.
 SCENES = (*one_mass.NAMES, "impacts and a rest")
@@ -67,7 +67,7 @@ def test_the_states_at_whole_turns_are_those_of_the_simulation(name) -> None:
     case, machine, states = drawn(name, 3)
     period, units = cycle(machine.cell), case.units
     for start in states:
-        found, phases, how = strobed(machine, start, 12)
+        found, phases, how = machine.strobed(start, 12)
         motion = follow(case, machine, start, 12 * period)
         assert (how == CUT) == (motion.ended == "")
         assert len(found) == len(phases) == 13 if how == CUT else len(found) < 13
@@ -88,12 +88,12 @@ def test_the_states_at_whole_turns_are_those_of_the_simulation(name) -> None:
 def test_it_says_why_it_ends() -> None:
     case = registry.load("impact")(restitution=0.3, frequency=0.3, damping=0.3)
     machine = machine_of(case.cell)
-    states, _, how = strobed(machine, State(0.0, 0.0, 0.0), 10)
+    states, _, how = machine.strobed(State(0.0, 0.0, 0.0), 10)
     assert how == CHATTERS
     assert len(states) == 1 + math.floor(ns.simulate(case, (0, 0), 10).time * 0.3 / 2 / math.pi)
     inside = State(99.0, 0.0, 0.0)  # of the stop
-    assert [len(part) for part in strobed(machine, inside, 10)[:2]] == [0, 0]
-    assert strobed(machine, inside, 10)[2] == REFUSED
+    assert [len(part) for part in machine.strobed(inside, 10)[:2]] == [0, 0]
+    assert machine.strobed(inside, 10)[2] == REFUSED
 
 
 @pytest.mark.parametrize("omega", [1.3, 1e-3, 1e200, 3e-200])

@@ -6,7 +6,6 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.solver.simulation.bodies.units import state_of, units_of
 from nonsmooth.solver.simulation.machines import machine_of
-from nonsmooth.solver.simulation.walk import strobed
 
 #: With impacts, and with a memory.
 SCENES = ["chain-impact", "jenkins-absorber"]
@@ -36,7 +35,7 @@ def test_it_goes_on_where_the_value_before_was_left(name: str, parameter, factor
     own = ns.scene(name)()
     other = own.with_value(parameter, factor * own.values[parameter])
     one, two = machine_of(own.cell), machine_of(other.cell)
-    last = strobed(one, one.at_rest(0.0), 7)[0][-1] * units_of(own, one)
+    last = one.strobed(one.at_rest(0.0), 7)[0][-1] * units_of(own, one)
     again = state_of(other, two, last)
     found = [
         float(row @ again.full) * other.units.of_motion(j)

@@ -197,7 +197,7 @@ class AtEvent:
         if ended is None:
             return
         given = self.equations, piece.table, self.z, self.found.row
-        when = float(piece.functions["when_least"](*given))
+        when = float(self.course.by("when_least", *given))
         state = self.course.state(self.equations, self.z, p, when)
         between = [q for q in self.steps if self._may(ended, q) and self._may(q, slot.step)]
         ways = [[Slot(step, state, 0.0)] for step in between]
