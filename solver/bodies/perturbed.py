@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
+from ..stability.cell_map import product
 from .exact import Evaluation, evaluated
 from .part import angles_of, parts_of, phase_map, rates, turned, wave
 
@@ -29,7 +30,7 @@ def cell_map(
     -------
     matrix : ndarray, shape (n, n)
     size : ndarray, shape (n, n)
-        The same product of absolute values: rounding errors are parts of it.
+        Rounding errors are parts of it; see `stability.cell_map.product`.
     crossed : ndarray, shape (P,)
         The rate at which the event that ends each phase is crossed, as a part of the size of
         its terms.
@@ -37,7 +38,8 @@ def cell_map(
     parts = parts_of(cell)
     starts = (evaluated(cell, times) if found is None else found).starts
     theta, count = angles_of(cell, times), len(parts)
-    through, size, crossed = np.eye(starts.shape[1]), np.eye(starts.shape[1]), np.empty(count)
+    shape = count, starts.shape[1], starts.shape[1]
+    steps, sizes, crossed = np.empty(shape), np.empty(shape), np.empty(count)
     for p, part in enumerate(parts):
         along, by_wave = phase_map(part, float(times[p]))
         end = along @ starts[p] + by_wave @ wave(theta[p])
@@ -54,6 +56,6 @@ def cell_map(
         jump = behind - part.switch.state @ before
         jump -= cell.omega * (part.switch.inputs @ turned(theta[p + 1]))
         across = part.switch.state + np.outer(jump, gradient) / rate
-        through = across @ along @ through
-        size = np.abs(across) @ np.abs(along) @ size / min(1.0, crossed[p])
-    return through, size, crossed
+        steps[p] = across @ along
+        sizes[p] = np.abs(across) @ np.abs(along) / min(1.0, crossed[p])
+    return *product(steps, sizes), crossed

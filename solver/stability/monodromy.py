@@ -30,9 +30,9 @@ class NoMultipliersError(ArithmeticError):
 class Monodromy:
     """What one cell makes of small perturbations of the state at its first switch.
 
-    The matrix is that of the cell, before its motion is mirrored; `size` the same product of
-    absolute values, of which rounding errors are parts; shape (n, n) each.  As many multipliers
-    are exactly 0 as are `forgotten` at the phase or the switch that forgets most.
+    The matrix is that of the cell, before its motion is mirrored; rounding errors are parts of
+    `size`; shape (n, n) each.  As many multipliers are exactly 0 as are `forgotten` at the
+    phase or the switch that forgets most.
     """
 
     matrix: Matrix

@@ -16,6 +16,7 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.stability.cell_map import product
 from nonsmooth.solver.stability.in_words import in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy
 from nonsmooth.solver.stability.stability import stability
@@ -350,3 +351,11 @@ def test_words_name_each_pair_once_and_say_where_an_orbit_is_not_isolated() -> N
     assert orbit.stable is None
     assert in_words(orbit).endswith("1: the orbit is not isolated to first order")
     assert "isolated" not in in_words(ns.exact(CLEARANCE(damping=0)))
+
+
+def test_rounding_of_many_phases_is_not_the_product_of_their_sizes() -> None:
+    random = np.random.default_rng(1)
+    turns = np.linalg.qr(random.normal(size=(24, 8, 8)))[0]
+    found, size = product(turns, np.abs(turns))
+    assert abs(found - np.linalg.multi_dot(turns[::-1])).max() < 1e-14
+    assert 24 < size.max() < 24 * 8  # of all sizes multiplied it would be 1e9

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Complex, Matrix, Vector
-from ...stability.cell_map import lasting
+from ...stability.cell_map import lasting, product
 from ..extended import A_MOMENT, AN_INSTANT, DIFFERENCE, series_at
 from ..walk import outside
 from .exponential import less_two, norm
@@ -166,7 +166,8 @@ def cell_map(
     """Return what a cell makes of perturbations of X; see `stability.cell_map`."""
     generators, switches, events, omega = case[1], case[2], case[3], case[5][1]
     count, states = len(generators), generators.shape[1] - 3
-    found, size, crossed = np.eye(states), np.eye(states), np.empty(count)
+    shape = count, states, states
+    steps, sizes, crossed = np.empty(shape), np.empty(shape), np.empty(count)
     first = begun(case, z)
     Y = first
     for p in range(count):
@@ -182,8 +183,9 @@ def cell_map(
         jump = (behind - switches[p] @ before)[:states]
         across = switches[p, :states, :states] + np.outer(jump, gradient) / rate
         through = np.eye(states) + grown[:states, :states]
-        found = across @ (through @ found)
-        size = np.abs(across) @ (np.abs(through) @ size) / min(1.0, crossed[p])
+        steps[p] = across @ through
+        sizes[p] = np.abs(across) @ np.abs(through) / min(1.0, crossed[p])
+    found, size = product(steps, sizes)
     return found, size, crossed
 
 
