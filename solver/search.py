@@ -102,7 +102,8 @@ class Search:
             if p == 0 and self.case.cell.forced:
                 moved[-1] += self.case.cell.omega * step
             self.words = "the times of the exact orbit, one of them half a wave aside"
-            yield moved
+            if moved[:count].min() > 0:
+                yield moved
 
     def orbit(self, times: Vector) -> Orbit | None:
         """Return the orbit to which times lead, if they lead to one."""

@@ -61,10 +61,8 @@ class Answer:
     def at(self, w: Vector) -> Complex:
         """Return z at times since the phase began; shape (B, m, len(w))."""
         z = self.E.T[:, :, None] * np.exp(self.kappa[:, None] * w)
-        for i, age in enumerate(self.ages):
-            basis = _legendre(age + w, self.polynomials.shape[2])
-            z[i] += self.polynomials[:, i] @ basis.T
-        return np.asarray(z)
+        basis = _legendre(self.ages[:, None] + w, self.polynomials.shape[2])
+        return np.asarray(z + self.polynomials.swapaxes(0, 1) @ basis.swapaxes(1, 2))
 
     @cached_property
     def ends(self) -> tuple[Complex, Complex]:
