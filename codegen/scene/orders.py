@@ -52,7 +52,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
             f"phases: got {MIRRORED}, but a mirror image is no motion of {base.name}"
         )
     called = numbered([f"{name}{IMAGE}" if minus else name for name, minus in steps])
-    memory, meant = _settings(base, steps, called)
+    memory, meant = _settings(base, steps, called, half)
     found = []
     for (name, minus), own, values in zip(steps, called, meant, strict=True):
         phase = _mirrored(known[name], base) if minus else known[name]
@@ -72,7 +72,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
 
 
 def _settings(
-    scene: Scene, steps: Sequence[tuple[str, bool]], called: Sequence[str]
+    scene: Scene, steps: Sequence[tuple[str, bool]], called: Sequence[str], half: bool
 ) -> tuple[tuple[Memory, ...], list[dict[sp.Symbol, sp.Expr]]]:
     """Return what is set on the way, and what each memory stands for in each phase.
 
@@ -92,9 +92,29 @@ def _settings(
             meant[p][memory.symbol] = symbols[last]
         for p, symbol in zip(places, symbols, strict=True):
             value = sp.sympify(memory.value)
-            value = -value.subs(_image(scene)) if steps[p][1] else value
+            mirrored = _begins_mirrored(scene, steps, p, half)
+            value = -value.subs(_image(scene)) if mirrored else value
             found.append(Memory(symbol, called[p], value, memory.what))
     return tuple(found), meant
+
+
+def _begins_mirrored(
+    scene: Scene, steps: Sequence[tuple[str, bool]], p: int, half: bool
+) -> bool:
+    """Whether a phase of an order begins as the mirror image of one does.
+
+    Of the same equation as its image it is named by how it ends. It begins as the phase before
+    it leaves it, if that is the one before it in the scene or the mirror image of that.
+    """
+    (name, minus), (before, mirrored) = steps[p], steps[p - 1]
+    place = [phase.name for phase in scene.phases].index(name)
+    phase = scene.phases[place]
+    laws = sp.flatten([phase.equation, _mirrored(phase, scene).equation])
+    images = zip(laws[: len(laws) // 2], laws[len(laws) // 2 :], strict=True)
+    if scene.phases[place - 1].name != before or any(sp.expand(a - b) for a, b in images):
+        return minus
+    turned = (p == 0 and half) != (place == 0 and scene.half_period)
+    return mirrored != turned
 
 
 def _image(scene: Scene) -> dict[sp.Symbol, sp.Expr]:

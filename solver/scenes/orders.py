@@ -215,7 +215,8 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     phases = [mirror(phase) if mirrored else phase for phase, mirrored in steps]
     at = [each.phase for each in cell.memory]
     columns = [_columns(at, order, p) for p in range(len(phases))]
-    memory = [_set_by(cell.memory[i], order.steps[p], p) for i, p in _settings(at, order)]
+    begun = [_begun_mirrored(cell, order, p) for p in range(len(phases))]
+    memory = [_set_by(cell.memory[i], begun[p], p) for i, p in _settings(at, order)]
     named = numbered([q.name for q in memory])
     return replace(
         cell,
@@ -229,10 +230,25 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     )
 
 
-def _set_by(memory: Memory, step: Step, p: int) -> Memory:
-    """Return a memory that a phase of an order sets, which may be mirrored."""
+def _begun_mirrored(cell: Cell, order: Order, p: int) -> bool:
+    """Whether a phase of an order begins as the mirror image of one does.
+
+    Of the same equation as its image it is named by how it ends. It begins as the phase before
+    it leaves it, if that is the one before it in the scene or the mirror image of that.
+    """
+    step, before = order.steps[p], order.steps[p - 1]
+    phase = cell.phases[step.phase]
+    named = before.phase != (step.phase - 1) % len(cell.phases)
+    if named or mirror(phase).equation != phase.equation:
+        return step.mirrored
+    turned = (p == 0 and order.half_period) != (step.phase == 0 and cell.sign < 0)
+    return before.mirrored != turned
+
+
+def _set_by(memory: Memory, mirrored: bool, p: int) -> Memory:
+    """Return a memory that a phase of an order sets, which may begin mirrored."""
     x, v, cos, constant, *others = memory.value
-    if step.mirrored:
+    if mirrored:
         constant = -constant
     return replace(memory, phase=p, value=(x, v, cos, constant, *others))
 

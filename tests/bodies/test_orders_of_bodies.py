@@ -121,3 +121,16 @@ def test_harmonics_that_err_have_the_order_of_the_exact_orbit_beside_them() -> N
     own, phases = registry.load("absorber-friction")(), "slip,stick,-slip,-stick"
     orbit = ns.solve(own, "hb", 10, phases=phases)
     assert 1e-3 < orbit.errors.times < 1e-2
+
+
+def test_a_slider_that_holds_and_goes_on_as_before() -> None:
+    """The second rest begins as a mirror image, and ends as the first does."""
+    case = registry.load("jenkins-absorber")(
+        frequency=0.27, friction=0.01, tangential_stiffness=1.0, absorber_mass=0.3,
+        absorber_stiffness=0.05, force=0.5,
+    )  # fmt: skip
+    orbit, motion = exact_orbit(case), ns.simulate(case, cycles=100)
+    assert orbit.case.scene.motion == "slip,stick,-slip,stick,mirrored"
+    found = [q.duration for q in motion.phases[-5:-1]]
+    turned = [np.roll(orbit.durations[:4], turn) for turn in range(4)]
+    assert min(np.abs(np.subtract(own, found)).max() for own in turned) < 1e-9

@@ -28,6 +28,16 @@ def test_the_numbers_are_those_of_the_solver(name: str, order: str) -> None:
     assert [_nameless(phase) for phase in own.phases] == [_nameless(q) for q in other.phases]
 
 
+def test_a_rest_sets_what_suits_the_phase_before_it() -> None:
+    """It is named by how it ends: behind the mirror image it begins as the mirror image."""
+    order = "slip,stick,-slip,stick,mirrored"
+    ordered = replace(in_order(scenes.load("jenkins-absorber"), order), name="o", motion="")
+    (case,) = cases_in_order(ns.scene("jenkins-absorber")(), order)
+    assert ns.scene(ordered)().cell.memory == case.cell.memory
+    first, second = (q.value[3] for q in case.cell.memory)
+    assert first == -second < 0
+
+
 def _nameless(phase):
     """Return a phase of a cell without its name and the words of its demands."""
     demands = tuple(("", form) for _, form in phase.demands)
