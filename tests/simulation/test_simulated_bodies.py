@@ -221,7 +221,7 @@ def test_the_command(run, tmp_path) -> None:
 def test_a_row_rests_on_a_stop_until_it_is_pulled_off(monkeypatch, tmp_path) -> None:
     """By matrix exponentials of the row, with its end free and held."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    n, gap, g, Omega = 3, 0.2, *sp.symbols("g Omega", positive=True)
+    n, gap, g, Omega = 3, 0.2, sp.Symbol("g", real=True), sp.Symbol("Omega", positive=True)
     K, C, pulled = chains.LINKS[1:, 1:].astype(float), 0.1 * np.eye(n), np.array([0, 0, 1.0])
     row = Body(M=np.eye(n), K=K, C=C, forcing=pulled, at={"end": [0, 0, 1]})
     end = row.at["end"]
@@ -233,6 +233,8 @@ def test_a_row_rests_on_a_stop_until_it_is_pulled_off(monkeypatch, tmp_path) -> 
         Parameter("frequency", Omega, "rad/s", 0.3, "frequency"),
     )
     own = Scene("row", "a row", parameters, (flight, rest), frequency=Omega, body=row)
+    pressed = ns.simulate(ns.scene(own)(gap=-5.0), cycles=8)  # by 5/3 N, and pulled by 1 N
+    assert [(q.name, q.displacement) for q in pressed.phases] == [("rest", pytest.approx(-5))]
     motion = ns.simulate(ns.scene(own)(), cycles=8)
     free = np.zeros((2 * n + 2, 2 * n + 2))
     free[:n, n : 2 * n], free[n : 2 * n, :n], free[n : 2 * n, n : 2 * n] = np.eye(n), -K, -C

@@ -14,6 +14,7 @@ from ...flow import divided
 from ...kernels import linking
 from ...kernels.family import Family
 from ...scenes.bodies.cell import BodyCell
+from ...scenes.cell import Cell
 from ..machine import Machine, counting
 from ..nodes import InState
 from ..steps import chatter, clock, column, rules, switches
@@ -92,10 +93,17 @@ class BodyMachine(Machine):
         return [*super().starts(angle), *self._balanced(angle)]
 
     def _balanced(self, angle: float) -> Iterator[AnyState]:
-        """Yield the states in which each phase would leave the body without a forcing."""
-        for regime in self.regimes:
-            own = regime.part.lawful
-            still, *_ = np.linalg.lstsq(own.A, -own.inputs[:, 2])
+        """Yield the states in which each phase would leave the body without a forcing.
+
+        A phase that is held is where the one before it ends, if that is at one place.
+        """
+        for node, regime in zip(self.nodes, self.regimes, strict=True):
+            own, place = regime.part.lawful, Cell.place(self.cell, node.index)
+            rows, right = own.A, -own.inputs[:, 2]
+            if place is not None:
+                rows = np.vstack([rows, regime.contacts[0, 0, : regime.states]])
+                right = np.append(right, -place if node.mirrored else place)
+            still, *_ = np.linalg.lstsq(rows, right)
             yield self._at(np.asarray(still, dtype=float), angle)
 
     def _at(self, y: Vector, angle: float) -> AnyState:
