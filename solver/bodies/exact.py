@@ -261,3 +261,15 @@ def magnitudes(cell: "BodyCell", times: Vector, p: int) -> Vector:
     by_poles = np.abs(rows[:, :states] @ half.basis) @ np.abs(half.inverse @ start[:states])
     least = np.abs(rows) @ np.abs(Y)
     return np.asarray(np.maximum(least, by_poles * part.flow.condition * LOST))
+
+
+def event_sizes(cell: "BodyCell", times: Vector) -> Vector:
+    """Return what the event of each phase adds up where it ends, each term without its sign."""
+    theta, starts = angles_of(cell, times), evaluated(cell, times).starts
+    found = np.empty(len(starts))
+    for p, (part, s) in enumerate(zip(parts_of(cell), times, strict=False)):
+        along, by_wave = phase_map(part, float(s))
+        end = along @ starts[p] + by_wave @ wave(theta[p])
+        event, there = part.switch.gradient, part.switch.waves
+        found[p] = np.abs(event) @ np.abs(end) + np.abs(there) @ np.abs(wave(theta[p + 1]))
+    return found

@@ -105,10 +105,10 @@ def violations(
 def _undetermined(orbit: Motion) -> tuple[str, ...]:
     """Return of which phases rounding of the exact equations may be the whole duration."""
     durations, unit = orbit.cell_durations, orbit.case.units.time
-    if orbit.case.scene.has_body or durations.min() > SHORT * durations.sum():
+    if durations.min() > SHORT * durations.sum():
         return ()
     with np.errstate(all="ignore"):
-        moved = ROUNDOFF * moved_times(orbit)
+        moved = ROUNDOFF * moved_times(orbit, with_sums=True)
     return tuple(
         Undecided(f"{phase.name} lasts {s * unit:.6g} s, and rounding may be as much")
         for phase, s, off in zip(orbit.cell.phases, durations, moved, strict=False)

@@ -3,27 +3,38 @@
 import numpy as np
 
 from ..arrays import Vector
+from ..bodies.exact import event_sizes
 from ..flow.exact_system import exact_kernel, unknowns_of
+from ..scenes.bodies.cell import BodyCell
 from .motion import Motion
 
+#: Rounding of a sum over modes, as many times that of each of its terms.
+OF_MODES = 512
 
-def moved_times(motion: Motion) -> Vector:
+
+def moved_times(motion: Motion, with_sums: bool = False) -> Vector:
     """Return how far each time moves at most if each term is rounded by a small part, over it.
 
     ``|J^-1| |J| |z|``, by Skeel, with the Jacobian J of the exact equations at the unknowns z,
     near one of their solutions: durations and the phase of the forcing, without units.  It does
-    not depend on the units of conditions and unknowns, and is infinite where J is singular.
+    not depend on the units of conditions and unknowns, and is infinite where J is singular.  Of
+    a body the times alone are unknown: `with_sums`, what its events add up is rounded as well.
     """
     cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
     z = unknowns_of(motion)
     z = kernel.times(z) if kernel.condensed else z
     J = np.empty((len(z), len(z)))
     kernel.jacobian(cell, z, J)
-    J /= np.abs(J).max(axis=1, keepdims=True)
+    rows = np.abs(J).max(axis=1)
+    J /= rows[:, None]
     sizes = np.abs(z)
     if cell.forced:
         sizes[-1] = max(1.0, sizes[-1])  # a cosine is rounded at a small angle too
+    terms = np.abs(J) @ sizes
+    if with_sums and isinstance(cell, BodyCell):
+        events = slice(len(cell.phases))
+        terms[events] += OF_MODES * event_sizes(cell, z) / rows[events]
     try:
-        return kernel.times(np.abs(np.linalg.inv(J)) @ np.abs(J) @ sizes)
+        return kernel.times(np.abs(np.linalg.inv(J)) @ terms)
     except np.linalg.LinAlgError:
         return kernel.times(np.full(len(z), np.inf))
