@@ -154,6 +154,16 @@ def test_a_stick_that_may_be_all_rounding_is_none(drop):
         solve_case(case, "hb", 12)
 
 
+def test_a_slip_of_a_body_that_is_all_rounding_is_none():
+    """The slider creeps to where it no longer slips: of that motion nothing is left."""
+    case = registry.load("jenkins-absorber")(
+        frequency=0.96, friction=0.158, tangential_stiffness=0.3, damping=0.3,
+        absorber_damping=0.2, absorber_mass=1.0,
+    )  # fmt: skip
+    with pytest.raises(NoOrbit, match="settles on another order of phases: slip, -stick"):
+        exact_orbit(case)
+
+
 def test_of_two_orbits_the_stable_one_is_returned_and_the_other_named():
     case = IMPACT(
         mass=0.022676366, damping=0.20214459, stiffness=95.458992, force=77046612000,
