@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..stability.cell_map import product
+from ..iteration.linear import product
 from .exact import Evaluation, evaluated
 from .part import angles_of, parts_of, phase_map, rates, turned, wave
 
@@ -30,7 +30,7 @@ def cell_map(
     -------
     matrix : ndarray, shape (n, n)
     size : ndarray, shape (n, n)
-        Rounding errors are parts of it; see `stability.cell_map.product`.
+        Rounding errors are parts of it; see `linear.product`.
     crossed : ndarray, shape (P,)
         The rate at which the event that ends each phase is crossed, as a part of the size of
         its terms.

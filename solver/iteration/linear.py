@@ -1,4 +1,4 @@
-"""LU factors of small systems, as Python that numba compiles with the kernel.
+"""LU factors of small systems, and products, as Python that numba compiles with the kernel.
 
 At forty unknowns LAPACK is no faster, and its call from Python takes longer.  Zeros below the
 diagonal, of which bands and borders have many, cost nothing.
@@ -93,3 +93,24 @@ def least_squares(A: Matrix, count: int, x: Vector) -> None:
         for j in range(k + 1, count):
             value -= A[k, j] * x[j]
         x[k] = value / A[k, k] if A[k, k] != 0 else 0.0
+
+
+def product(steps: Vector, sizes: Vector) -> tuple[Matrix, Matrix]:
+    """Return the product of matrices, and what its rounding errors are parts of.
+
+    The rounding of each, a part of its `sizes`, goes with what comes before and behind it: the
+    product of all sizes would grow with every phase, whatever the product itself does.
+
+    Parameters
+    ----------
+    steps, sizes : ndarray, shape (P, n, n)
+    """
+    count, n = len(steps), steps.shape[1]
+    before, behind, size = np.empty((count + 1, n, n)), np.eye(n), np.zeros((n, n))
+    before[0] = behind
+    for p in range(count):
+        before[p + 1] = np.dot(steps[p], before[p])
+    for p in range(count - 1, -1, -1):
+        size += np.dot(np.abs(behind), np.dot(sizes[p], np.abs(before[p])))
+        behind = np.dot(behind, steps[p])
+    return before[count], size

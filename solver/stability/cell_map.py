@@ -103,27 +103,6 @@ def cell_map(
     return found, size, crossed
 
 
-def product(steps: Vector, sizes: Vector) -> tuple[Matrix, Matrix]:
-    """Return the product of matrices, and what its rounding errors are parts of.
-
-    The rounding of each, a part of its `sizes`, goes with what comes before and behind it: the
-    product of all sizes would grow with every phase, whatever the product itself does.
-
-    Parameters
-    ----------
-    steps, sizes : ndarray, shape (P, n, n)
-    """
-    count, n = len(steps), steps.shape[1]
-    before, behind, size = np.empty((count + 1, n, n)), np.eye(n), np.zeros((n, n))
-    before[0] = behind
-    for p in range(count):
-        before[p + 1] = np.dot(steps[p], before[p])
-    for p in range(count - 1, -1, -1):
-        size += np.dot(np.abs(behind), np.dot(sizes[p], np.abs(before[p])))
-        behind = np.dot(behind, steps[p])
-    return before[count], size
-
-
 def lasting(own: Matrix) -> Integers:
     """Return of which parts of a state, of many, a perturbation lasts for a cell.
 

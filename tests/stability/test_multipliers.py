@@ -14,9 +14,9 @@ from scipy.integrate import solve_ivp
 import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import cases_in_order
+from nonsmooth.solver.iteration.linear import product
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.stability.cell_map import product
 from nonsmooth.solver.stability.in_words import in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy
 from nonsmooth.solver.stability.stability import stability

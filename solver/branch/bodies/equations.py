@@ -19,7 +19,8 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Complex, Matrix, Vector
-from ...stability.cell_map import lasting, product
+from ...iteration.linear import product
+from ...stability.cell_map import lasting
 from ..extended import A_MOMENT, AN_INSTANT, DIFFERENCE, series_at
 from ..walk import outside
 from .exponential import less_two, norm
