@@ -22,6 +22,9 @@ ZERO = 1e-6
 #: What is watched, without units, may be below zero by this: it is rounding.
 ROUNDING = 4 * float(np.finfo(float).eps)
 
+#: How near to an event its root is found, as a part of a step.
+NEAR = 1e-14
+
 #: Part of a step within which it is no torus that two more multipliers are outside the circle;
 #: least imaginary part of a complex one, as a part of it.
 SHORT, TURNED = 1e-6, 1e-7
@@ -105,7 +108,7 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
                 return math.copysign(math.sqrt(abs(found)), found)
             return 0.0 if abs(found) <= rounding else found
 
-        at = float(brentq(value, *ends, xtol=1e-300, rtol=1e-14, maxiter=200))
+        at = float(brentq(value, *ends, xtol=NEAR * max(map(abs, ends)), rtol=NEAR, maxiter=200))
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
     return at, piece.stepped(before, at)
