@@ -1,7 +1,7 @@
 """What linear rates add to states in a time, ``(exp(G t) - 1) Y``, over arrays.
 
 By poles, along which each goes its own way: each pole s answers to what there is at first, to
-the waves of the forcing and to what stays as it is, see `answer`.  Or by a Taylor series of the
+the waves of the forcing and to what stays as it is, see `answers`.  Or by a Taylor series of the
 matrix, doubled.
 
 Plain Python, or compiled by numba.
@@ -37,10 +37,20 @@ def drives_of(generator: Matrix, inverse: Matrix, n: int) -> Matrix:
 
 
 def answers(poles: Complex, omega: float, t: float) -> Complex:
-    """Return what poles make in a time of ``e^(i omega t)``, its conjugate, and 1: (3, m)."""
-    found = np.empty((3, len(poles)), np.complex128)
-    found[0], found[1] = answer(poles, 1j * omega, t), answer(poles, -1j * omega, t)
-    found[2] = answer(poles, 0j, t)
+    """Return what rest becomes in a time that ``e^(i omega t)``, its conjugate and 1 drive.
+
+    That is ``(e^(s t) - e^(q t)) / (s - q)`` of each pole s for these q, shape (3, m): also
+    where s is q.
+    """
+    s, q = poles.reshape(1, len(poles)), np.array([[1j * omega], [-1j * omega], [0j]])
+    half = (s - q) * (t / 2)
+    size = np.abs(half)
+    near, whole = size <= 1, size > TINY
+    small = np.where(near & whole, half, 1 + 0j)
+    ratio = np.where(whole, np.sinh(small) / small, 1 + 0j)
+    close = t * np.exp((s + q) * (t / 2)) * ratio
+    apart = np.where(near, 1 + 0j, s - q)
+    found: Complex = np.where(near, close, (np.exp(s * t) - np.exp(q * t)) / apart)
     return found
 
 
@@ -84,20 +94,6 @@ def by_basis(
     found[2 * m + r - 3] = -2 * half * half * cosine - whole * sine
     found[2 * m + r - 2] = whole * cosine - 2 * half * half * sine
     return found
-
-
-def answer(poles: Complex, forcing: complex, t: float) -> Complex:
-    """Return ``(e^(s t) - e^(q t)) / (s - q)`` of poles s for one q: also where s is q.
-
-    It is what rest becomes that ``e^(q t)`` drives.
-    """
-    half = (poles - forcing) * (t / 2)
-    near = np.abs(half) <= 1
-    small = np.where(near & (np.abs(half) > TINY), half, 1 + 0j)
-    ratio = np.where(np.abs(half) > TINY, np.sinh(small) / small, 1 + 0j)
-    close = t * np.exp((poles + forcing) * (t / 2)) * ratio
-    apart = np.where(near, 1 + 0j, poles - forcing)
-    return np.where(near, close, (np.exp(poles * t) - np.exp(forcing * t)) / apart)
 
 
 def less_one(matrix: Matrix, t: float) -> Matrix:
