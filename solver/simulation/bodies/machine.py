@@ -44,7 +44,7 @@ def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
 
 #: The functions, linked as plain Python or compiled; what plain ones cost is kept.
 FAMILY = Family(
-    linked, (divided, column, rules, phases, *PARTS, *OWN), common_step.step, seconds=12.0
+    linked, (divided, column, rules, phases, *PARTS, *OWN), common_step.step, seconds=10.0
 )
 
 
