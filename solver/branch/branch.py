@@ -13,7 +13,7 @@ from ..scenes.case import Case
 from ..scenes.orders import Order, OrderedScene, Step
 from .bodies.course import BodyCourse
 from .course import Course
-from .follow import CLOSED, PART, RANGE, Segment, follow, in_units
+from .follow import CLOSED, PART, Segment, follow, in_units
 from .locate import Found
 from .orders.change import beyond
 from .piece import NoStepError, Piece, Place
@@ -28,6 +28,9 @@ ASIDE = 1e-4
 #: Orbits on the way back to an event, about as many as are looked for; what its parameter may
 #: be apart, found so, as a part of the range.
 FEW, SAME = 16, 1e-9
+
+#: Why a branch ends where nothing did before it was followed to its end.
+STOPPED = "it was followed no further"
 
 Bounds = tuple[float, float]
 
@@ -69,7 +72,7 @@ class Both:
         """Return why it ends, at its start and at its end; a closed one has no way forth."""
         ends = [way[-1].why if way else "" for way in (self.back, self.forth)]
         back, forth = (CLOSED, CLOSED) if CLOSED in ends[:1] else ends
-        return back or RANGE, forth or RANGE
+        return back or STOPPED, forth or STOPPED
 
 
 def course_of(case: Case) -> Course:

@@ -13,7 +13,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.plots.families import branch_figure
 from nonsmooth.solver import branches
-from nonsmooth.solver.branch import piece, walk, watch
+from nonsmooth.solver.branch import branch, piece, walk, watch
 from nonsmooth.solver.branch.along import Interval
 from nonsmooth.solver.branch.bodies import watched, ways
 from nonsmooth.solver.branch.bodies.arrays import UNKNOWN
@@ -422,6 +422,18 @@ def test_ctrl_c_keeps_what_was_found(found: ns.Branch, run, monkeypatch, tmp_pat
     part = ns.load(path)
     assert 0 < len(part) < len(found)
     assert f"interrupted: {len(part)} orbits are found" in err
+
+
+def test_ctrl_c_keeps_the_orbits_that_were_found(monkeypatch) -> None:
+    def stopped(*given, **more):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(branch, "cut_where_violated", stopped)
+    with pytest.raises(BranchInterrupted) as caught:
+        ns.branch(SPRING, "frequency", 0.8, 1.3)
+    (found,) = caught.value.done
+    assert len(found) > 3
+    assert found.why_it_ended[1] == "it was followed no further"
 
 
 def test_ctrl_c_keeps_the_branches_that_were_followed(monkeypatch) -> None:
