@@ -90,20 +90,22 @@ class _Commands(click.Group):
 def cli() -> None:
     """Periodic orbits of non-smooth oscillators by harmonic balance and Galerkin expansions.
 
-    After W.-J. Kim and N. C. Perkins, J. Sound Vib. 261 (2003) 213-224. Without a scene,
-    commands are about the stick-slip oscillator of that paper.
+    After W.-J. Kim and N. C. Perkins, J. Sound Vib. 261 (2003) 213-224. Most commands take a
+    SCENE first: a name that 'nonsmooth scenes' lists, or the path of a scene file. Without one
+    they are about the stick-slip oscillator of that paper. 'nonsmooth solve SCENE --help' has
+    the parameters of a scene.
     """
 
 
 #: The commands that take a scene, and without one are about the default scene.
 VERBS = {
-    "solve": "Compute periodic orbits.",
-    "sweep": "Compute them for many orders, or along a parameter.",
+    "solve": "Compute periodic orbits, with error and stability.",
+    "sweep": "Compare orders and methods, or vary a parameter.",
     "branch": "Follow an orbit along a parameter, through folds and flips.",
     "map": "Map motions, stable or not, over two parameters.",
-    "simulate": "Simulate a scene from a given state, from event to event.",
-    "digits": "Measure the digits of float64 at the extremes.",
-    "tradeoff": "Measure time against error.",
+    "simulate": "Simulate from a given state; bifurcation diagrams, basins.",
+    "digits": "Measure how many digits float64 keeps.",
+    "tradeoff": "Measure time against error of each method.",
 }
 for name, summary in VERBS.items():
     kinds = (SCENES, STRUCTURES) if name == "sweep" else (SCENES,)

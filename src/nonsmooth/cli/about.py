@@ -176,8 +176,14 @@ class CommandAbout(click.Command):
             callback=callback,
             params=[*verb.options(about), file, *parameters, *verb.output.options()],
             help=verb.help.format(**words),
-            epilog=verb.epilog.format(**words).replace("  --", " --"),  # nothing is named
+            epilog=_without_gaps(verb.epilog.format(**words)),
         )
+
+
+def _without_gaps(examples: str) -> str:
+    """Return examples without the spaces that are left where nothing is named."""
+    lines = examples.replace("  --", " --").split("\n")
+    return "\n".join(line.rstrip() for line in lines)
 
 
 def flag(name: str) -> str:

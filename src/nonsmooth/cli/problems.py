@@ -47,7 +47,7 @@ class Verbose(click.Option):
     def __init__(self) -> None:
         super().__init__(
             ["-v", "--verbose"], is_flag=True, expose_value=False, callback=_note_verbose,
-            help="Where there is no orbit, say all that was tried.",
+            help="If no orbit is found, list all that was tried.",
         )  # fmt: skip
 
 

@@ -38,21 +38,21 @@ Examples:
 @click.argument("scene", required=False, is_eager=True)
 @click.option(
     "--method",
-    help="hb, hb-ck, ck or ck-tau, also spelled with the class of the scene, as c0-tau; of the "
-    "default scene hb-c1 and c1 are Sections 3.2 and 3.3 of the paper.  [default: all]",
+    help="hb, hb-ck, ck or ck-tau, also with the class of the scene for ck, as c0-tau. For the "
+    "default scene hb, hb-c1, c1 are Sections 3.1, 3.2, 3.3 of the paper.  [default: all]",
 )
 @click.option(
     "--functions",
     type=int,
     metavar="K",
-    help="Of hb-ck: functions with a break at each switch; without it one, at an impact two.",
+    help="Functions of hb-ck at each switch, 1 to 3.  [default: 1; 2 where x' jumps]",
 )
-@click.option("--motion", help="With a SCENE of several motions: one of them; else all.")
+@click.option("--motion", help="One motion of a SCENE that has several.  [default: all]")
 @click.option(
     "--phases",
     metavar="NAMES",
-    help="An order of phases: names joined by commas, a minus before a mirrored one, mirrored "
-    "behind half a period; as solve names it.",
+    help="The sequence of phases: names joined by commas, a minus before a mirror image; ends "
+    "in 'mirrored' if it is half a period; as solve prints it.",
 )
 @click.option(
     "--format", "format_", type=click.Choice(FORMATS),
@@ -64,11 +64,12 @@ def equations(
     scene: str | None, method: str | None, functions: int | None, motion: str | None,
     phases: str | None, format_: str | None, fragment: bool, output: Path | None,
 ) -> None:  # fmt: skip
-    """Print the equations that SymPy derives, with the numbers of the paper.
+    """Print the equations that SymPy derives.
 
-    SCENE is the name of an oscillator, or the path of its file, a program that is run, or a
-    structure of 'nonsmooth modes'; without it the oscillator of the paper is meant.
-    Text is plain ASCII where the terminal has no other characters, or with LC_ALL=C.
+    SCENE is a name that 'nonsmooth scenes' or 'nonsmooth modes' lists, or the path of a scene
+    file, which is executed. Without it the equations are those of the paper's oscillator, with
+    the paper's numbers. Text is plain ASCII where the terminal has no other characters, or
+    with LC_ALL=C.
     """
     check_target(output, ())
     chosen = _format(format_, output)

@@ -14,7 +14,7 @@ EPILOG = """\b
 Examples:
   nonsmooth generate
   nonsmooth generate impact
-  nonsmooth generate --check      for a continuous integration
+  nonsmooth generate --check      for continuous integration
 """
 
 
@@ -28,11 +28,11 @@ def _names(_: click.Context, __: click.Parameter, incomplete: str) -> list[Compl
     "--check", is_flag=True, help="Only compare, write nothing; exit 1 on a difference."
 )
 def generate(scene: str | None, check: bool) -> int:
-    """Derive the equations with SymPy and write generated/.
+    """Derive the equations and write generated/ (for developers).
 
-    A file is written only when its text changes. With SCENE, a name of 'nonsmooth scenes'
-    or the path of a scene file, of that scene alone. A scene file is Python and is run; its
-    kernels are derived when it is first used, and kept in the user's cache: this says where.
+    A file is written only when its text changes. With SCENE, a name that 'nonsmooth scenes'
+    lists, only those of that scene. For the path of a scene file, which is executed, nothing
+    is written there: its kernels are kept in the user's cache, and this says where.
     """
     if scene is not None and is_path(scene):
         found = scene_named(scene)

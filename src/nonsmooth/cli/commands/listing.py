@@ -36,10 +36,10 @@ Examples:
 @click.argument("scene", required=False)
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 def scenes(scene: str | None, json_: bool) -> None:
-    """List the scenes, or say what SCENE is: parameters, phases, events, class.
+    """List the scenes, or parameters, phases and events of one.
 
-    SCENE is a name of the list, or the path of a scene file. A scene file is Python and is
-    run. Its equations are derived when it is first used, and kept.
+    SCENE is a name of the list, or the path of a scene file. A scene file is a Python program
+    and is run. Its equations are derived when it is first used, and kept.
     """
     from nonsmooth.described import brief, document
 
@@ -60,10 +60,10 @@ def scenes(scene: str | None, json_: bool) -> None:
 @click.command(cls=NamedCommand, kinds=(STRUCTURES,), default=None, epilog=EPILOG_OF_MODES)
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 def modes(json_: bool) -> None:
-    """Compute the lowest modes of a beam or a string with something attached.
+    """Compute modes of a beam or string with an attachment.
 
-    STRUCTURE is one of those that are listed without it; 'nonsmooth modes STRUCTURE --help'
-    has its parameters.
+    Without STRUCTURE the names of all structures are listed; 'nonsmooth modes STRUCTURE
+    --help' has the parameters of one.
     """
     structures = [STRUCTURES.named(name) for name in STRUCTURES.names()]
     if json_:

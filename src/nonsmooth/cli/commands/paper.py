@@ -90,10 +90,11 @@ def belt_from(case: Path | None, flags: dict[str, Any]) -> "StickSlip":
 @parameter_options
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> int:
-    """List every real solution of (18) to (20), and say which one is the orbit.
+    """List all real solutions of the paper's C1 series.
 
-    With the coefficients eliminated they are the positive roots of one polynomial in the
-    slip duration, alpha D(s**2) = s E(s**2), isolated in exact arithmetic.
+    Those of its equations (18) to (20), and which one is the orbit. With the coefficients
+    eliminated they are the positive roots of one polynomial in the slip duration,
+    alpha D(s**2) = s E(s**2), isolated in exact arithmetic.
     """
     from nonsmooth.all_solutions import solutions
 
@@ -134,11 +135,12 @@ def _pieces(belt: "StickSlip", found: "list[RealSolution]") -> "Iterator[Piece]"
     "picture: .png, .svg, .pdf.",
 )  # fmt: skip
 def report(case: Path | None, figure: str | None, output: Path, **flags: float | None) -> None:
-    """Recompute figures, equations and claims of the paper, on one page.
+    """Write a page that recomputes the paper, or about a scene.
 
-    For the oscillator given: Figs. 2 to 6, the equations with their numbers, and the claims
-    one by one, each with the normal forces for which it holds.  The page needs nothing from
-    outside.  Of another SCENE: how it moves, and how fast each expansion finds its orbit.
+    Without SCENE, for the parameters given: Figs. 2 to 6 of the paper, its equations, and its
+    claims one by one, each with the normal forces for which it holds. With SCENE: its orbit,
+    its equations, and how fast each expansion converges. The page needs no network.
+    'nonsmooth report SCENE --help' has the parameters of a scene.
     """
     for library in FOR_REPORTS:
         require(*library)

@@ -1,5 +1,6 @@
 """The commands about a scene as the command line shows them; what runs is imported to run."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import click
@@ -23,9 +24,9 @@ SOLVE = Verb(
     ),
     """Compute the periodic orbit of {name} by one method, or by each.
 
-{title}. With a tolerance, the lowest order of the method, without one of {best}, whose
-estimated errors of times and period are within it. With a budget, the best orbit that fits,
-timed on this machine.""",
+{title}. With --tol: the lowest order of the method ({best} unless --method names another)
+whose estimated errors are within the tolerance. With --budget: the most accurate orbit that
+can be computed in this time, measured on this machine.""",
     """\b
 Examples:
   nonsmooth solve {said}
@@ -42,7 +43,7 @@ SWEEP = Verb(
     ),
     """Compute the orbit of {name} for many orders and compare it with the exact one.
 
-{title}.""",
+{title}. With --vary: the orbit at given values of a parameter.""",
     """\b
 Examples:
   nonsmooth sweep {said}
@@ -58,10 +59,11 @@ BRANCH = Verb(
     Output(
         "Write the branch: .csv, .json, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
     ),
-    """Follow the orbit of {name} along a parameter, stable or not, through folds.
+    """Follow an orbit of {name} along a parameter, stable or not, through folds.
 
-{title}. The orbits are exact. Where the order of the phases changes the branch goes on with the
-new one. Folds, flips, grazings and beginnings and ends of a rest are located to rounding.""",
+{title}. The orbits are exact. Where a phase begins or ends, the branch goes on with the new
+order of phases. Folds, flips (period doublings), grazings, and beginnings and ends of a rest
+are located to rounding error.""",
     """\b
 Examples:
   nonsmooth branch {said} --vary {vary}
@@ -78,8 +80,8 @@ MAP = Verb(
     ),
     """Map the motions of {name} over two parameters, and the curves between them.
 
-{title}. Each point has an exact orbit, stable or not, or is empty. Curves of folds, flips,
-grazings and rests are followed in both parameters. It uses all cores.""",
+{title}. Each point has an exact orbit, stable or not, or is empty if none is found. Curves of
+folds, flips, grazings and rests are followed in both parameters. All cores are used.""",
     """\b
 Examples:
   nonsmooth map {said} --vary {vary}:60 --vary {other}:40
@@ -97,8 +99,8 @@ SIMULATE = Verb(
     ),
     """Simulate {name} from a given state, from event to event.
 
-{title}. Each phase is the exact flow of its equation, and no event can be stepped over. Which
-phase follows is decided by what each demands.""",
+{title}. Each phase is the exact solution of its equation, and no event is stepped over. The
+next phase is one whose demands hold after the event.""",
     """\b
 Examples:
   nonsmooth simulate {said} --cycles 50
@@ -116,11 +118,11 @@ DIGITS = Verb(
     ".scenes.digits",
     options.of_digits,
     Output("Write the digits: .json, or a picture .png, .svg, .pdf.", (".json", *PICTURES)),
-    """Measure the digits that float64 keeps of the times of orbits of {name}.
+    """Measure how many digits float64 keeps of the times of orbits of {name}.
 
-{title}. At the given parameters and at each extreme that the scene names, the exact equations
-and those of each method are solved in float64, and the same equations again in ball arithmetic.
-Needs python-flint.""",
+{title}. At the given parameters and at extreme ones that the scene names, the exact equations
+and those of each method are solved in float64, and again in ball arithmetic. Needs
+python-flint.""",
     """\b
 Examples:
   nonsmooth digits {said}
@@ -133,10 +135,10 @@ TRADEOFF = Verb(
     ".scenes.tradeoff",
     options.of_none,
     Output("Write the points: .json, or a picture .png, .svg, .pdf.", (".json", *PICTURES)),
-    """Measure time against error of the times: each method of {name}, and its exact flow.
+    """Measure time against error: each method of {name}, and its exact orbit.
 
-{title}. A time is that of a whole solve: from rough times, with its checks, and not the first.
-A point on the front (marked *) is the best in its time.""",
+{title}. A time is that of a whole solve with compiled kernels: search, checks and errors. A
+point marked * is on the Pareto front: no other is both faster and more accurate.""",
     """\b
 Examples:
   nonsmooth tradeoff {said}
@@ -150,7 +152,7 @@ REPORT = Verb(
     Output("Folder to make: index.html, and every figure as .svg and .pdf."),
     """Write a page on {name}: what it is, its orbit, and how fast each expansion finds it.
 
-{title}. The page needs nothing from outside.""",
+{title}. The page needs no network.""",
     """\b
 Examples:
   nonsmooth report {said} -o {name}
@@ -173,8 +175,20 @@ VERBS = {
 }
 
 
+#: What the help of a command without a scene says of others.
+OF_OTHERS = """
+
+For another SCENE, a name that 'nonsmooth scenes' lists or the path of a scene file, the
+parameters are in 'nonsmooth {verb} SCENE --help'."""
+
+
 class CommandOfScene(CommandAbout):
     """A command built for a scene."""
+
+    def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
+        """Return what the usage line has behind the name of the command."""
+        pieces = super().collect_usage_pieces(ctx)
+        return pieces if " " in (ctx.info_name or "") else ["[SCENE]", *pieces]
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
         """Complete options, and scenes where none is named."""
@@ -198,7 +212,10 @@ def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
           for q in scene.parameters),
         Verbose(),
     ]  # fmt: skip
-    return CommandOfScene(scene, said, VERBS[verb], parameters, words)
+    about = VERBS[verb]
+    if not said:
+        about = replace(about, help=about.help + OF_OTHERS.format(verb=verb))
+    return CommandOfScene(scene, said, about, parameters, words)
 
 
 def _help(q: "Parameter") -> str:

@@ -20,7 +20,7 @@ ORDER, ORDERS = 10, "1-20"
 #: Periods that a diagram leaves out.
 TRANSIENT = 200
 
-FUNCTIONS = "Functions of hb-ck at each switch.  [default: 1; 2 where x' jumps]"
+FUNCTIONS = "Functions of hb-ck at each switch, 1 to 3.  [default: 1; 2 where x' jumps]"
 
 
 def method_names(scene: "LoadedScene") -> list[str]:
@@ -37,9 +37,9 @@ def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options that say which motion of a scene is meant."""
     found: list[click.Parameter] = []
     if scene.motions:
-        words = f"{', '.join(scene.motions)}; without it, the one that there is."
+        words = f"{', '.join(scene.motions)}; without it, the one that occurs."
         found.append(click.Option(["--motion", f"{PREFIX}motion"], help=words))
-    words = "An order of phases: names joined by commas, a minus before a mirrored one."
+    words = "The sequence of phases: names joined by commas, a minus before a mirror image."
     found.append(click.Option(["--phases", f"{PREFIX}phases"], metavar="NAMES", help=words))
     if scene.frequency is not None:
         odd = ", an odd number" if scene.half_period else ""
@@ -48,7 +48,7 @@ def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
 
 
 def _cycles(name: str, more: str = "") -> click.Option:
-    words = f"Periods of the forcing in one of the motion{more}.  [default: 1]"
+    words = f"Periods of the forcing in one period of the motion{more}.  [default: 1]"
     return click.Option(["--cycles", name], type=int, metavar="n", help=words)
 
 
@@ -59,14 +59,21 @@ def of_solve(scene: "LoadedScene") -> list[click.Parameter]:
         Aliased(["--method"], alias="--methods", help=f"{names}; without it, all."),
         Aliased(
             ["--order"], alias="--orders", type=OneOrder(),
-            help=f"N, the size.  [default: {ORDER}]",
+            help=f"N: number of harmonics, or degree of polynomials.  [default: {ORDER}]",
         ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
         *of_motion(scene),
-        click.Option(["--tol"], type=float, help="Choose N: largest error of times, period."),
-        click.Option(["--budget"], help="Choose: the best in this time, like 200us, 1ms, 2s."),
         click.Option(
-            ["--all", "every"], is_flag=True, help="List every orbit found, of every motion."
+            ["--tol"], type=float,
+            help="Choose N: the lowest whose estimated relative errors are within this.",
+        ),
+        click.Option(
+            ["--budget"],
+            help="Choose the most accurate orbit within this time, like 200us, 1ms, 2s.",
+        ),
+        click.Option(
+            ["--all", "every"], is_flag=True,
+            help="List every orbit that is found, of every motion.",
         ),
     ]  # fmt: skip
 
@@ -75,16 +82,20 @@ def of_sweep(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth sweep``."""
     names = ",".join(method_names(scene))
     return [
-        Aliased(["--methods"], alias="--method", help=f"By commas.  [default: {names}]"),
+        Aliased(
+            ["--methods"], alias="--method",
+            help=f"Methods, joined by commas.  [default: {names}]",
+        ),
         Aliased(
             ["--orders"], alias="--order",
-            help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]",
+            help="Orders N: numbers and ranges, as 4,8-12 or 10,20,...,80.  "
+            f"[default: {ORDERS}]",
         ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
         *of_motion(scene),
         Once(
             ["--vary"], metavar="NAME=FROM:TO:POINTS",
-            help="Follow the orbit along a parameter instead, by one method at one order.",
+            help="Vary a parameter instead, by one method at one order.",
         ),
         click.Option(["--log"], is_flag=True, help="Space the values by a constant factor."),
     ]  # fmt: skip
@@ -94,7 +105,7 @@ def of_branch(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth branch``."""
     attractors = click.Option(
         ["--attractors"], is_flag=True,
-        help="Draw over what simulations settle on, up and down, once a period of the forcing.",
+        help="Also draw the states on which simulations settle, once a period of the forcing.",
     )  # fmt: skip
     names = ", ".join(method_names(scene))
     return [
@@ -109,12 +120,17 @@ def of_branch(scene: "LoadedScene") -> list[click.Parameter]:
         ),
         click.Option(
             ["--all", "every"], is_flag=True,
-            help="Follow every orbit that is found at a few values, and those at their flips.",
+            help="Follow every orbit that is found at a few values, and at flips those of "
+            "twice the period.",
         ),
         *([attractors] if scene.frequency else ()),
-        Aliased(["--method"], alias="--methods", help=f"Solve it beside each orbit: {names}."),
         Aliased(
-            ["--order"], alias="--orders", type=int, help=f"Its order.  [default: {ORDER}]"
+            ["--method"], alias="--methods",
+            help=f"Also solve this expansion at each orbit: {names}.",
+        ),
+        Aliased(
+            ["--order"], alias="--orders", type=int,
+            help=f"N of this expansion.  [default: {ORDER}]",
         ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
     ]  # fmt: skip
@@ -134,22 +150,23 @@ def of_simulate(scene: "LoadedScene") -> list[click.Parameter]:
     once_a_period = [
         Once(
             ["--vary"], metavar="NAME=FROM:TO:COUNT",
-            help="Draw a bifurcation diagram: the states once a period of the forcing, behind "
-            "a transient, as a parameter takes so many values.",
+            help="Draw a bifurcation diagram: the states once a period of the forcing, after a "
+            "transient, at values of a parameter.",
         ),
         click.Option(
             ["--transient"], type=int, metavar="CYCLES",
-            help=f"Periods that --vary leaves out.  [default: {TRANSIENT}]",
+            help=f"Periods of transient at each value of --vary.  [default: {TRANSIENT}]",
         ),
         click.Option(
             ["--grid"], multiple=True, metavar="x=FROM:TO:COUNT",
-            help="Draw basins of attraction: given twice, for x and v, where to start from.",
+            help="Draw basins of attraction from these initial states: given twice, for x and "
+            "for v.",
         ),
     ]  # fmt: skip
     return [
         click.Option(
             ["--state"], metavar="X,V",
-            help="Displacement in m and velocity in m/s at the start, of a body those of its "
+            help="Displacement in m and velocity in m/s at the start; for a structure, of its "
             "first contact.  [default: at rest at 0 or, where the scene does not admit that, "
             "near it]",
         ),
@@ -171,9 +188,9 @@ def of_digits(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth digits``."""
     names = ",".join(method_names(scene))
     return [
-        click.Option(["--methods"], help=f"By commas.  [default: {names}]"),
-        click.Option(["--orders"], help="Numbers, ranges.  [default: 5,10,20,40]"),
-        click.Option(["--quick"], is_flag=True, help="One order, 10."),
+        click.Option(["--methods"], help=f"Methods, joined by commas.  [default: {names}]"),
+        click.Option(["--orders"], help="Orders N: numbers and ranges.  [default: 5,10,20,40]"),
+        click.Option(["--quick"], is_flag=True, help="Order 10 only."),
         *of_motion(scene),
     ]
 

@@ -22,7 +22,10 @@ def _of_modes(structure: "Structure") -> list[click.Parameter]:
         click.Option(
             ["--method"], help=f"ritz, ritz-c{k}, c{k}, or all.  [default: ritz-c{k}]"
         ),
-        click.Option(["--order"], type=int, help="N, the size.  [default: 8]"),
+        click.Option(
+            ["--order"], type=int,
+            help="N: number of sines, or degree of polynomials.  [default: 8]",
+        ),
         click.Option(
             ["--forced"], type=int, metavar="K",
             help=f"Forced modes of ritz-c{k}, 1 to {most}.  [default: 1]",
@@ -33,12 +36,12 @@ def _of_modes(structure: "Structure") -> list[click.Parameter]:
         ),
         Once(
             ["--vary"], metavar="NAME=FROM:TO:POINTS",
-            help="Modes over a parameter or the position.",
+            help="Vary a parameter or the position.",
         ),
-        click.Option(["--log"], is_flag=True, help="With --vary: points by a constant factor."),
+        click.Option(["--log"], is_flag=True, help="Space its values by a constant factor."),
         click.Option(
             ["--shapes"], type=int, metavar="POINTS",
-            help="Mass-normalised shapes at so many places, to -o FILE or as --json.",
+            help="Mass-normalised shapes at this number of points, to -o FILE or as --json.",
         ),
     ]  # fmt: skip
 
@@ -47,9 +50,14 @@ def _of_sweep(structure: "Structure") -> list[click.Parameter]:
     """Return the options of ``nonsmooth sweep``."""
     k, most = structure.k, structure.most_forced
     return [
-        click.Option(["--methods"], help=f"By commas.  [default: ritz,ritz-c{k},c{k}]"),
         click.Option(
-            ["--orders"], help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]"
+            ["--methods"],
+            help=f"Methods, joined by commas.  [default: ritz,ritz-c{k},c{k}]",
+        ),
+        click.Option(
+            ["--orders"],
+            help="Orders N: numbers and ranges, as 4,8-12 or 10,20,...,80.  "
+            f"[default: {ORDERS}]",
         ),
         click.Option(
             ["--forced"], metavar="K,K",
@@ -68,8 +76,8 @@ MODES = Verb(
     """Compute the lowest modes of {name}.
 
 {title}; its modes are of class C{k}. The methods are those of the paper, in space: ritz has
-sines, ritz-ck sines and forced modes, ck functions of class C{k} only. Every mode comes with
-its error against the exact one and, where they hold, with proved bounds.""",
+sines, ritz-c{k} sines and forced modes, c{k} functions of class C{k} only. Every mode comes
+with its error against the exact one and, where they are available, with proved bounds.""",
     """\b
 Examples:
   nonsmooth modes {said} --position 3/10 {flag} 10
@@ -107,8 +115,8 @@ def command(verb: str, structure: "Structure", said: str) -> click.Command:
     words = {"k": structure.k, "flag": flag(structure.attached.name)}
     place = click.Option(
         ["--position", f"{PREFIX}position"],
-        help="a: place of the attachment as a part of the length, a fraction or a decimal; of "
-        "a fraction nodes are recognised exactly.  [default: 3/10]",
+        help="a: place of the attachment divided by the length, as a fraction or a decimal; "
+        "with a fraction, nodes are recognised exactly.  [default: 3/10]",
     )
     flags = (
         click.Option(
