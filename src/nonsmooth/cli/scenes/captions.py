@@ -63,16 +63,16 @@ def legend(scene: LoadedScene, durations: bool = True) -> str:
     """Return what the headings of a table of orbits mean."""
     jumps, forced = derivative(scene), scene.frequency is not None
     phases = ", ".join(scene.phases)
-    parts = ["T: period" if len(scene.phases) > 1 else f"T: period, all of it {phases}"]
+    parts = ["T: period" if len(scene.phases) > 1 else f"T: period, one phase ({phases})"]
     if forced:
         parts.append("phi: phase of the forcing at the first switch")
     if durations and len(scene.phases) > 1:
         parts.append(f"{phases}: their durations")
     largest = "largest error of a duration" + (" or of phi/Omega" if forced else "")
     parts += [
-        f"times: {largest}, as a part of T",
+        f"times: {largest}, as a fraction of T",
         f"{jumps}: L2 error of {jumps}, the first derivative that jumps",
         f"estimate: of times, {estimated(scene)}",
-        "it: Jacobians formed",
+        "it: Jacobians that Newton's method formed",
     ]
     return filled("; ".join(parts) + ".")
