@@ -166,6 +166,7 @@ def shooting(row: Row) -> Callable[[int], np.ndarray]:
     rows = [csr_array(row.generator(pressed)) for pressed in (True, False)]
     pressed, released = ((q.indptr, q.indices, q.data) for q in rows)
 
+    @np.errstate(all="ignore")  # with too few steps it is unstable
     def off(z: np.ndarray, steps: int) -> np.ndarray:
         first = _flow(*pressed, z[0], steps // 4)
         whole = _flow(*released, period - z[0], steps) @ first
