@@ -221,10 +221,29 @@ def begins_slowly(cell: Cell, p: int) -> bool:
     return same(before.event, force) or same(before.event, there)
 
 
+def begins_as_set(cell: Cell, p: int) -> bool:
+    """Whether a phase begins without speed where it ends, by the memory that it sets itself."""
+    before, event = earlier(cell, p, 1), cell.phases[p].event
+    if not event[0] or any(event[1:3]) or before.event[0] or any(before.event[2:]):
+        return False
+    terms, own = [np.array(event[:4])], False
+    for factor, each in zip(event[4:], cell.memory, strict=True):
+        if factor:
+            own = each.phase == p
+            terms.append(factor * np.array(each.value[:4]))
+    sizes = np.abs(terms).max(axis=0)
+    return own and bool((np.abs(np.sum(terms, axis=0)) <= EQUAL * sizes).all())
+
+
 def of_speed(cell: Cell, p: int) -> bool:
     """Whether a phase ends without speed."""
     event = cell.phases[p].event
     return bool(event[1]) and not any((event[0], *event[2:]))
+
+
+def of_velocity(form: Form) -> bool:
+    """Whether a form is of the velocity, and not of the displacement."""
+    return form[0] == 0 != form[1]
 
 
 def earlier(cell: Cell, p: int, by: int) -> Phase:

@@ -2,6 +2,7 @@
 
 from bisect import bisect
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import pairwise
 
@@ -15,6 +16,7 @@ from .bodies.course import BodyCourse
 from .course import Course
 from .follow import CLOSED, PART, Segment, follow, in_units
 from .locate import Found
+from .meeting import halved, symmetric
 from .orders.change import beyond
 from .piece import NoStepError, Piece, Place
 from .walk import FLIP, FOLD, MEETS, NEUTRAL, OWN
@@ -89,6 +91,9 @@ def course_of(case: Case) -> Course:
 def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Place]:
     """Return an exact orbit as a place on a branch, the parameter growing.
 
+    Of an orbit of which one half is the image of the other it is half of it: else two phases
+    would vanish together, and where symmetry is lost its equations would be singular.
+
     Raises
     ------
     NoStepError
@@ -97,6 +102,12 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
     case, course = orbit.case, course_of(orbit.case)
     own = np.append(course.unknowns(orbit), case.numbers[index])
     piece = Piece.at(course, case, index, bounds, own)
+    y = piece.of_number(own)
+    half = symmetric(piece, y)
+    if half is not None:
+        with suppress(ArithmeticError):  # another value may leave no image
+            shorter = halved(piece, half, y)
+            piece, own = Piece.at(half, case, index, bounds, shorter), shorter
     border, y = np.append(np.zeros(len(own) - 1), 1.0), piece.of_number(own)
     if case.values[piece.name] in bounds:  # there exactly
         y[-1] = np.copysign(1.0, y[-1])
@@ -136,15 +147,22 @@ def go(
 def aside(piece: Piece, place: Place) -> tuple[Piece, Place]:
     """Return an orbit to begin with: another one beside it, where something happens to it.
 
-    What vanishes where a branch begins changes its sign on neither side.
+    What vanishes where a branch begins changes its sign on neither side, and of forms that
+    are zero there by chance other derivatives are looked at.
     """
     orbit = place.gauges[len(place.gauges) - OWN :]
-    if not (np.abs(orbit[[FOLD, FLIP, MEETS]]) <= NEUTRAL).any():
-        return piece, place
-    try:
-        return piece, piece.stepped(place, ASIDE)
-    except NoStepError:
-        return piece, place
+    special = (np.abs(orbit[[FOLD, FLIP, MEETS]]) <= NEUTRAL).any()
+    for side in (ASIDE, -ASIDE):
+        with suppress(ArithmeticError):
+            there = piece.stepped(place, side)
+            if abs(there.y[-1]) > 1:
+                continue
+            y = there.y
+            table = piece.course.table(piece.numbers(y), y[:-1], piece.rows)
+            if not np.array_equal(table, piece.table):
+                return piece.moved(there)
+            return (piece, there) if special else (piece, place)
+    return piece, place
 
 
 def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segment:

@@ -25,16 +25,18 @@ from .along import (
     Along,
     Content,
     Interval,
+    begins_as_set,
     begins_slowly,
     begins_still,
     divided_phases,
     of_speed,
+    of_velocity,
     resolved,
     weights,
 )
 from .orders.itinerary import Itinerary
 from .walk import FAMILY
-from .watch import AT_SWITCH, BEHIND, WITHIN
+from .watch import AT_SWITCH, BEHIND, START, WITHIN
 
 #: What is rounding of a derivative where a phase begins, as a part of the largest.
 ROUNDING = 1e-8
@@ -93,20 +95,26 @@ class Course(Itinerary):
         v = self.moving_at(self.case_of(cell, []), z, q, 0.0)[1]
         return v * (cell.sign if q == 0 else 1)
 
-    def word(self, row: Row) -> str:
+    def word(self, row: Row, column: int, begins: int) -> str:
         """Return what it is called where a form that is watched vanishes.
 
         A rest begins or ends: sticking.  Else a surface is touched: grazing.
+
+        column : int
+            Of `watch`: where in the phase.
+        begins : int
+            The first derivative of the form that is not zero by itself where the phase begins:
+            above the first, the phase begins without speed.
         """
         step = self.order.steps[row.phase]
         held = self.base.kinds[step.phase][1]
         still = held or row.kind != WITHIN or self._is_of_velocity(row)
+        still = still or (column == START and begins > 1)
         return "sticking" if self.can_rest and still else "grazing"
 
     def _is_of_velocity(self, row: Row) -> bool:
         """Whether a form is of the velocity, and not of the displacement."""
-        form = self._generic.phases[row.phase].demands[row.number][1]
-        return form[0] == 0 != form[1]
+        return of_velocity(self._generic.phases[row.phase].demands[row.number][1])
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, for parameters without units, as `watch` takes them."""
@@ -189,6 +197,8 @@ class Course(Itinerary):
             if all(begins(each, p) for each in cells):
                 slowly = not (divided[p] or of_speed(cell, p))
                 divided[p] = 3 if slowly else 2
+            elif all(begins_as_set(each, p) for each in cells):
+                divided[p] = 2
         given = found.kinds, found.setting, series, divided, weights(cell, z)
         return Along(*given, before, float(cell.sign))
 

@@ -5,10 +5,10 @@ from contextlib import suppress
 
 import numpy as np
 
-from .locate import Found, located, through, turning
+from .locate import ROUNDING, Found, located, through, turning
 from .piece import NoStepError, Piece, Place
 from .walk import OUTSIDE, OWN, happens
-from .watch import END
+from .watch import END, LEAST, START
 
 #: What may be apart of events that are one, as a part of where they are.
 SAME = 1e-9
@@ -19,6 +19,10 @@ CLOSE = 1e-3
 #: Parts of a step to a change of the order up to which the orbit itself is looked at, in turn:
 #: behind it multipliers may come back from infinity, and at it the equations may be singular.
 BEFORE = 1 - 1e-6, 1 - 1e-3, 0.5
+
+#: What of a form stands for all that vanishes at one place, in turn; the end of a phase first.
+#: A least value that comes in at the beginning or the end vanishes there as well.
+TURNS = None, END, START, LEAST
 
 #: Where the parameter leaves its interval: no event.
 EDGE = "edge"
@@ -41,7 +45,7 @@ def in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
     vanish = (event for _, event in events if event.changes and event.column is None)
     own = {event.phase: SAME * abs(event.value) for event in here}
     here += [q for q in vanish if abs(q.value - here[0].value) <= own.get(q.phase, -1.0)]
-    change = min(here, key=lambda each: -1 if each.column is None else (END - each.column) % 3)
+    change = min(here, key=lambda each: TURNS.index(each.column))
     near = SAME * abs(change.value)
     before = (event for at, event in events if at < first and not event.changes)
     return [*(q for q in before if abs(q.value - change.value) > near), change]
@@ -146,4 +150,5 @@ def _edge(piece: Piece, before: Place, after: Place) -> tuple[float, Found] | No
     there = piece.led(y, np.append(np.zeros(len(y) - 1), 1.0))
     at = float(before.direction @ ((there - before.y) * piece.along.weights))
     place = piece.place(there, before.direction)
+    place.gauges[np.abs(place.gauges) <= ROUNDING] = 0.0  # nothing happens there by rounding
     return at, Found(EDGE, None, None, piece, place)

@@ -248,20 +248,22 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
 def tangent(along: Any, y: Vector, border: Vector) -> tuple[Vector, float]:
     """Return the unit tangent in coordinates of size 1, on the side of `border`.
 
-    Behind it the determinant of the equations across the border, their rows scaled, which is
-    zero where branches meet.
+    Behind it the least pivot of the equations across the border, their rows scaled, with the
+    sign of their determinant: zero where branches meet, and of one size for many unknowns.
     """
     n = len(y) - 1
     J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)
-    found, determinant = np.zeros(n + 1), 1.0
+    found, least, sign = np.zeros(n + 1), np.inf, 1.0
     found[n] = 1.0
     bordered(along, y, border, J, scales)
     if not factorise(J, rows):  # a pivot is 0, or nothing is known
         return found * np.nan, 0.0 if np.isfinite(J).all() else np.nan
     for j in range(n + 1):
-        determinant *= J[j, j] if rows[j] == j else -J[j, j]
+        least = min(least, abs(J[j, j]))
+        if (J[j, j] < 0) == (rows[j] == j):
+            sign = -sign
     solve_factorised(J, rows, found)
     size = 0.0
     for j in range(n + 1):
         size += found[j] * found[j]
-    return found / sqrt(size), determinant
+    return found / sqrt(size), sign * least

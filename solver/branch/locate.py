@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Vector
-from .along import returns
+from .along import of_velocity, returns
 from .piece import NoStepError, Piece, Place
 from .walk import FLIP, FOLD, MEETS, NEUTRAL, OUTSIDE, OWN
+from .watch import BEGINS
 
 #: How far back what happens in a step is looked for again, in steps.
 BACK = 1.25
@@ -138,8 +139,9 @@ def located(
             yield at, None
         return
     if i < forms:
-        row = piece.rows[i // 3]
-        yield at, Found(piece.course.word(row), row.phase, i % 3, piece, place, i)
+        row, column = piece.rows[i // 3], i % 3
+        word = piece.course.word(row, column, int(piece.table[i // 3, BEGINS]))
+        yield at, Found(word, row.phase, column, piece, place, i)
     elif i < forms + phases:
         p = i - forms
         yield at, Found(_word_of_duration(piece, p), p, None, piece, place, i)
@@ -249,7 +251,9 @@ def multipliers(piece: Piece, place: Place) -> Any:
 
 def _word_of_duration(piece: Piece, p: int) -> str:
     """Return what it is called where a phase of a cell gets no duration."""
-    still = piece.along.divided[p] > 1  # it begins without speed: a rest could
-    if piece.cell.phases[p].held or (still and piece.course.can_rest):
+    phase, back = piece.cell.phases[p], returns(piece.cell, p)
+    # it begins without speed: a rest could
+    still = piece.along.divided[p] > 1 or (back and of_velocity(phase.event))
+    if phase.held or (still and piece.course.can_rest):
         return "sticking"
-    return "grazing" if returns(piece.cell, p) else "vanishing"
+    return "grazing" if back else "vanishing"

@@ -69,6 +69,24 @@ def met(piece: Piece, places: Sequence[Place]) -> tuple[int, float] | None:
     return None
 
 
+def halved(piece: Piece, half: Course, y: Vector) -> Vector:
+    """Return the first half of an orbit as an order of half the phases has it."""
+    count = len(half.order.steps)
+    states = piece.course.states(piece.equations(y), y)[:count]
+    angle = float(y[-2]) if piece.cell.forced else 0.0
+    z = half.gathered(piece.numbers(y), states, piece.durations(y)[:count], angle)
+    return np.append(z, piece.number(y))
+
+
+def symmetric(piece: Piece, y: Vector) -> Course | None:
+    """Return the order of half an orbit, if the other half is its image; else None."""
+    half = shorter(piece)
+    if half is None or not half.order.half_period:
+        return None
+    apart, size = halves_apart(piece, y), float(np.abs(y[:-1]).max())
+    return half if np.abs(apart).max() <= ROUNDING * size else None
+
+
 def meeting(piece: Piece, half: Course, before: Place, after: Place) -> Found:
     """Return where halves meet in a step, located on the branch of the shorter orbit.
 
@@ -94,13 +112,9 @@ def _located(piece: Piece, half: Course, before: Place, after: Place) -> Found:
     NoStepError
         If it is not found.
     """
-    y, count = before.y, len(half.order.steps)
-    states = piece.course.states(piece.equations(y), y)[:count]
-    angle = float(y[-2]) if piece.cell.forced else 0.0
-    z = half.gathered(piece.numbers(y), states, piece.durations(y)[:count], angle)
-    own = np.append(z, piece.number(y))
+    y, own = before.y, halved(piece, half, before.y)
     short = Piece.at(half, piece.case, piece.index, piece.bounds, own, ())
-    along = np.append(np.zeros(len(z)), 1.0)
+    along = np.append(np.zeros(len(own) - 1), 1.0)
     begin = short.place(short.led(short.of_number(own), along), along)
     gauge = len(begin.gauges) - OWN + FLIP
     change = abs(piece.value(after.y) - piece.value(y)) / short.sizes[-1]

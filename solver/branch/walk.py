@@ -29,6 +29,9 @@ TURN, FIRST_FALL = 0.95, 0.1
 #: Size of an unknown in coordinates that were to be of size 1, at which they are chosen anew.
 OUTGROWN = 8.0
 
+#: How close to an orbit that is known it is not asked whether something happens twice.
+DIP = 1e-3
+
 #: Rounding of a product of multipliers that shrink no area: they are no bifurcation.
 NEUTRAL = 1e-9
 
@@ -84,7 +87,7 @@ def look(
         What the cell makes of perturbations, and its size; see `cell_map`.
     """
     n, count = len(y) - 1, len(along[0])
-    direction, determinant = tangent(along, y, border)
+    direction, meets = tangent(along, y, border)
     case, values = case_at(along, y[n]), np.empty((len(table), 3))
     watched(case, table, y[:n], values, extremes)
     speed = max(abs(extremes[1, 0]), abs(extremes[1, 1]))
@@ -96,7 +99,7 @@ def look(
     gauges[values.size : values.size + count] = y[along[5] :][:count]
     orbit = gauges[values.size + count :]
     orbit[:] = np.nan
-    orbit[FOLD], orbit[MEETS] = direction[n], determinant
+    orbit[FOLD], orbit[MEETS] = direction[n], meets
     if np.isfinite(through).all():  # where an event is touched, perturbations are not mapped
         orbit[FLIP], orbit[OUTSIDE], orbit[PAIRS] = of_multipliers(along[6] * through)
     return direction, gauges
@@ -112,6 +115,32 @@ def happens(before: float, after: float, i: int) -> bool:
     if i == OUTSIDE:
         return abs(after - before) > 0
     return i != PAIRS and before * after < 0 and min(abs(before), abs(after)) > NEUTRAL
+
+
+def dips(before: Vector, here: Vector, after: Vector, back: float, ahead: float) -> float:
+    """Return where in two steps something may happen twice, from the orbit between; else 0.
+
+    There a parabola leaves the sign that what is watched has at all three orbits: through its
+    values, or through their squares, as the least factor of a complex pair is smooth.  Not
+    where one of these is as good as there.
+    """
+    orbit, found = len(here) - OWN, 0.0
+    for i in range(len(here)):
+        least = min(abs(before[i]), abs(here[i]), abs(after[i]))
+        alike = before[i] * here[i] > 0 and here[i] * after[i] > 0
+        if not alike or i == orbit + OUTSIDE or (i >= orbit and least <= NEUTRAL):
+            continue
+        for power in range(1, 3):
+            first, value, last = abs(before[i]), abs(here[i]), abs(after[i])
+            first, value, last = first**power, value**power, last**power
+            fell, rose = (value - first) / back, (last - value) / ahead
+            bend = (rose - fell) / (back + ahead)
+            slope = fell + bend * back
+            at = -slope / (2 * bend) if bend > 0 else 0.0
+            inside = min(at + back, abs(at), ahead - at) > DIP
+            if inside and value + slope * at / 2 < 0:
+                found = min(found, at) if found != 0 else at
+    return found
 
 
 def walk(
@@ -158,6 +187,11 @@ def walk(
             if length < LEAST_STEP:
                 return last, STUCK, length
             continue
+        if last > 0:
+            at = dips(V[last - 1], V[last], gauges, S[last], length)
+            if at != 0:  # there next
+                last, length = (last - 1, S[last] + at) if at < 0 else (last, at)
+                continue
         last += 1
         Y[last], D[last], V[last], S[last] = y, direction, gauges, length
         some = abs(y[n]) > 1

@@ -30,8 +30,8 @@ START, LEAST, END = 0, 1, 2
 #: Points of a phase a radian of its quickest part, and most of them; terms of a Taylor series.
 DENSITY, MOST_POINTS, EXPANDED = 3.0, 4096, 14
 
-#: Corrections of a critical point by Newton's method; halvings to where a rate is lowest.
-POLISH, HALVINGS = 6, 24
+#: Halvings to where a rate is lowest, and most steps to where it rises through zero.
+HALVINGS = 24
 
 
 def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
@@ -117,11 +117,7 @@ def least_inside(
         if falls or dips:
             last, h = grid[i - 1], t - grid[i - 1, 0]
             terms = taylor(equation, omega, angle + omega * last[0], last[1], last[2], form)
-            u = lowest_rate(terms, h, bend) if dips else h * before / (before - rate)
-            for _ in range(POLISH):
-                steep = polynomial(terms, u, 2)
-                if steep > 0:
-                    u = min(max(u - polynomial(terms, u, 1) / steep, 0.0), h)
+            u = rises(terms, deepest(terms, h) if dips else 0.0, h)
             value = polynomial(terms, u, 0)
             if not isnan(u) and (isnan(least) or value < least):
                 least, when = value, last[0] + u
@@ -129,11 +125,10 @@ def least_inside(
     return least, when
 
 
-def lowest_rate(terms: Vector, h: float, bend: float) -> float:
-    """Return about where the rate of a polynomial rises through zero, before a time `h`.
+def deepest(terms: Vector, h: float) -> float:
+    """Return where the rate of a polynomial is lowest in a time `h`; nan if it is not negative.
 
-    Its rate is positive at both ends, and its second derivative changes its sign, to `bend`.
-    Not a number where the rate does not fall to zero.
+    Its second derivative changes its sign, from minus.
     """
     low, high = 0.0, h
     for _ in range(HALVINGS):
@@ -142,8 +137,27 @@ def lowest_rate(terms: Vector, h: float, bend: float) -> float:
             low = middle
         else:
             high = middle
-    rate = polynomial(terms, high, 1)
-    return nan if rate >= 0 else min(high + sqrt(-2 * rate * (h - high) / bend), h)
+    return high if polynomial(terms, high, 1) < 0 else nan
+
+
+def rises(terms: Vector, low: float, h: float) -> float:
+    """Return where the rate of a polynomial, negative at `low`, rises through zero up to `h`.
+
+    By Newton's method, and by halves where that leaves what is left.
+    """
+    high, u = h, (low + h) / 2
+    for _ in range(HALVINGS):
+        rate, steep = polynomial(terms, u, 1), polynomial(terms, u, 2)
+        if rate < 0:
+            low = u
+        else:
+            high = u
+        last, u = u, u - rate / steep if steep > 0 else low
+        if not low < u < high:
+            u = (low + high) / 2
+        if u == last:
+            break
+    return u
 
 
 def form_of(case: Any, z: Vector, row: int) -> Vector:

@@ -18,7 +18,6 @@ from ..watch import (
     KIND,
     LEAST,
     PHASE,
-    POLISH,
     START,
     WITHIN,
     polynomial,
@@ -28,6 +27,9 @@ from .ways import ahead, along, expanded, halves, over, way_of
 
 #: What a rate that dips keeps of itself, by its tangents, where it does not fall below zero.
 SHALLOW = 0.5
+
+#: Corrections of a critical point by Newton's method.
+POLISH = 6
 
 #: Halvings about where a derivative vanishes, before it is taken for a line.
 NARROWED = 8

@@ -95,7 +95,9 @@ class Itinerary:
 
     @cached_property
     def _generic(self) -> Cell:
-        return replace(self, units=None).cell(self._numbers)
+        """Its cell for them, whether or not it would be a motion there."""
+        found = in_cell(self.base.cell(self._numbers), self.order)
+        return replace(found, phases=(found.phases[0].cut(),)) if self.endless else found
 
     @property
     def _numbers(self) -> tuple[float, ...]:

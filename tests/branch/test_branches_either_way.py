@@ -1,0 +1,140 @@
+"""A branch is the same from any of its orbits, and nothing is missed in a step of it."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.solver.branch.walk import OUTSIDE, OWN, dips
+from nonsmooth.solver.branch.watch import rises
+from nonsmooth.solver.branches import branch_case
+from nonsmooth.solver.exact import exact_orbit
+
+F, Omega, m, k = sp.symbols("F Omega m k", positive=True)
+c, V = sp.symbols("c V", nonnegative=True)
+f_k, f_s = sp.symbols("f_k f_s", positive=True)
+
+
+def parameters(**values: tuple[sp.Symbol, str, float]) -> tuple[Parameter, ...]:
+    return tuple(Parameter(name, q, unit, at, name) for name, (q, unit, at) in values.items())
+
+
+def oscillator(mass: float, damping: float, stiffness: float, frequency: float):
+    """Return the parameters of a mass, and a force of 1 N."""
+    return parameters(
+        mass=(m, "kg", mass), damping=(c, "N s/m", damping), stiffness=(k, "N/m", stiffness),
+        force=(F, "N", 1.0), frequency=(Omega, "rad/s", frequency),
+    )  # fmt: skip
+
+
+def on_a_belt(name: str, mass, damping, stiffness, frequency, kinetic, static, belt) -> Scene:
+    """Return a mass on a belt, in an order of phases that is not half of one."""
+    load, moved = c * V + k * x - F * forcing, m * a + c * v + k * x - F * forcing
+    holds = {"up": f_s - load, "down": f_s + load}
+    phases = (
+        Phase("ahead", moved + f_k, Event(v - V), {"ahead": v - V}),
+        Phase("stick_b", a, Event(load - f_s), holds, held=V),
+        Phase("back", moved - f_k, Event(v - V), {"back": V - v}),
+        Phase("stick_f", a, Event(load + f_s), holds, held=V),
+    )
+    own = parameters(
+        kinetic=(f_k, "N", kinetic), static=(f_s, "N", static), belt=(V, "m/s", belt)
+    )
+    known = oscillator(mass, damping, stiffness, frequency)
+    return Scene(name, "a mass on a belt", (*known, *own), phases, frequency=Omega)
+
+
+@pytest.fixture(autouse=True)
+def own_folder(monkeypatch, tmp_path) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+
+
+def both_ways(case, name: str, ends, starts):
+    """Return what happens on the branch from each of two orbits: the same, and no end."""
+    orbits = [exact_orbit(case.with_value(name, at)) for at in starts]
+    found = [branch_case(case, name, *ends, start=orbit) for orbit in orbits]
+    for branch in found:
+        assert branch.why_it_ended == ("the end of the range",) * 2
+    events = [sorted(branch.events, key=lambda event: event.parameter) for branch in found]
+    for one, other in zip(*events, strict=True):
+        assert one.parameter == pytest.approx(other.parameter, rel=1e-11)
+    return events
+
+
+def test_no_orbit_is_beyond_the_range_that_begins_at_a_flip() -> None:
+    values = {"damping": 0.0, "restitution": 0.8, "gap": 0.5, "frequency": 1.01445763678408881}
+    found = ns.branch(ns.scene("impact")(**values), "frequency", 0.9, values["frequency"])
+    assert found["value"].max() == values["frequency"]
+
+
+def test_a_flight_that_leaves_a_stop_softly_touches_it_where_it_does() -> None:
+    """Its distance falls again in one step of a grid, in which its rate falls first."""
+    case = ns.scene("impact-inelastic")(frequency=0.9, mass=1, stiffness=1, damping=0.1)
+    events = both_ways(case, "gap", (0.985, 1.12), (0.987, 1.1006))
+    assert [event.kind for event in events[1]] == ["sticking", "grazing", "fold"]
+
+
+def test_a_rate_rises_through_zero_where_it_falls_at_first() -> None:
+    """Of the polynomial t^3/3 - t^2/2 - t/5, whose rate is t^2 - t - 1/5."""
+    terms = np.array([0.0, -0.2, -0.5, 1 / 3])
+    assert rises(terms, 0.0, 1.5) == pytest.approx((1 + np.sqrt(1.8)) / 2, rel=1e-14)
+
+
+def test_a_body_comes_to_rest_where_the_same_mass_does() -> None:
+    g = sp.Symbol("g", real=True)
+    body = Body(M=[[1.0]], K=[[1.0]], C=[[0.1]], forcing=[1], at={"end": [1]})
+    end = body.at["end"]
+    stop = Event(end.x - g, jump={end.v: 0})
+    flight = Phase("flight", end.force, stop, {"before the stop": g - end.x})
+    rest = Phase("rest", end.a, Event(end.force), {"it presses": -end.force}, held=0)
+    own = parameters(gap=(g, "m", 0.9913), frequency=(Omega, "rad/s", 0.9))
+    scene = Scene("on-a-stop", "a mass", own, (flight, rest), frequency=Omega, body=body)
+    events = both_ways(ns.scene(scene)(), "gap", (0.9905, 0.9915), (0.9908, 0.9913))
+    assert [event.kind for (event,) in events] == ["sticking", "sticking"]
+    assert events[0][0].parameter == pytest.approx(0.99102243197694, rel=1e-12)
+
+
+@pytest.mark.parametrize("belt", [0.5, 0.0])
+def test_rests_on_a_belt_vanish_from_either_side(belt: float) -> None:
+    """One of an orbit, or both together of one that is symmetric, by one word."""
+    case = ns.scene(on_a_belt("on-a-belt", 1.0, 0.1, 1.0, 0.7, 0.3, 0.36, belt))()
+    events = both_ways(case, "force", (0.5, 2.0), (0.515, 1.5))
+    assert [event.kind for (event,) in events] == ["sticking", "sticking"]
+
+
+def test_a_further_slip_of_a_slider_comes_and_goes() -> None:
+    """The rest behind it ends where it begins, by the memory that it sets itself."""
+    f, t, w = *sp.symbols("f k_t", positive=True), sp.Symbol("w", real=True)
+    moved, held = m * a + c * v + k * x - F * forcing, t * (x - w)
+    phases = (
+        Phase("slip", moved + f, Event(v), {"forward": v}),
+        Phase("stick", moved + held, Event(held + f), {"up": f - held, "down": f + held}),
+    )
+    own = parameters(limit=(f, "N", 0.189), joint=(t, "N/m", 15.4))
+    scene = Scene(
+        "slider", "a slider", (*oscillator(0.746, 0.4562, 1.0985, 0.5949), *own), phases,
+        frequency=Omega, half_period=True, memory=(Memory(w, "stick", x - f / t, "slider"),),
+    )  # fmt: skip
+    events = both_ways(ns.scene(scene)(), "force", (0.235, 0.25), (0.2367, 0.2475))
+    assert len(events[0]) == 2
+
+
+@pytest.mark.parametrize(
+    ("values", "looked_at"),
+    [([0.4, 0.1, 0.4], False), ([0.4, 0.05, 0.1], True), ([0.5, 0.25, 0.1], False)],
+)
+def test_what_may_happen_twice_in_a_step_is_looked_at(values, looked_at: bool) -> None:
+    """By the parabola through what is watched, where it leaves its sign."""
+    rows = [np.ones(OWN + 1) for _ in values]
+    for row, value in zip(rows, values, strict=True):
+        row[0], row[1 + OUTSIDE] = value, 0.0
+    assert (dips(*rows, 1.0, 1.0) != 0) == looked_at
+
+
+def test_two_flips_in_a_step_are_found() -> None:
+    """Between them the orbit is unstable, and it is stable again where the step would end."""
+    case = ns.scene("impact")(damping=0.0, restitution=0.7216, gap=0.5)
+    found = ns.branch(case, "frequency", 0.9, 1.3)
+    flips = [event.parameter for event in found.events if event.kind == "flip"]
+    assert flips == pytest.approx([1.052845, 1.055465], abs=1e-6)
