@@ -5,7 +5,7 @@ from contextlib import suppress
 
 import numpy as np
 
-from .locate import ROUNDING, Found, located, through, turning
+from .locate import Found, located, through, turning
 from .piece import NoStepError, Piece, Place
 from .walk import OUTSIDE, OWN, happens
 from .watch import END, LEAST, START
@@ -26,6 +26,9 @@ TURNS = None, END, START, LEAST
 
 #: Where the parameter leaves its interval: no event.
 EDGE = "edge"
+
+#: What is watched there, without units, that is rounding of a sum of terms.
+AT_EDGE = 1e-12
 
 
 def in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
@@ -150,5 +153,5 @@ def _edge(piece: Piece, before: Place, after: Place) -> tuple[float, Found] | No
     there = piece.led(y, np.append(np.zeros(len(y) - 1), 1.0))
     at = float(before.direction @ ((there - before.y) * piece.along.weights))
     place = piece.place(there, before.direction)
-    place.gauges[np.abs(place.gauges) <= ROUNDING] = 0.0  # nothing happens there by rounding
+    place.gauges[np.abs(place.gauges) <= AT_EDGE] = 0.0  # nothing happens there by rounding
     return at, Found(EDGE, None, None, piece, place)

@@ -104,8 +104,8 @@ def sides_of(case: Any, divided: Any, z: Vector, R: Vector) -> None:
         if divided[p] != 0:
             s = z[2 * count + len(case[2]) + p]
             R[2 * count + p] = quotient(case, divided, z, at, gained, theta, p, s)
-        if divided[p] == 3:  # the joints say already that it gains nothing, not where
-            R[2 * p] = case[1][p, E_X] * z[2 * p] + case[1][p, E_0]
+        if divided[p] == 3:  # not that it gains nothing, which is so at the event alone
+            R[2 * behind(count, p)] = ends_at(case, z, p)
 
 
 def quotient(
@@ -130,6 +130,18 @@ def quotient(
         return float(case[1][p, E_V] * case[4][1] * g * by_angle / (s * s))
     by, _ = by_force(m, c, k, s)
     return float(case[1][p, E_X] * ((f - k * z[2 * p]) * by + g * by_wave) / (s * s))
+
+
+def behind(count: int, p: int) -> int:
+    """Return the phase behind another."""
+    return p + 1 if p + 1 < count else 0
+
+
+def ends_at(case: Any, z: Vector, p: int) -> float:
+    """Return the event of a phase, of the displacement alone, where the next one begins."""
+    q = behind(len(case[0]), p)
+    x = z[2 * q] * (case[4][0] if q == 0 else 1.0)
+    return float(case[1][p, E_X] * x + case[1][p, E_0])
 
 
 def quickest(case: Any, z: Vector, p: int) -> float:
@@ -162,9 +174,9 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
                 by_angle = quotient(case, divided, z, at, gained, theta + pi / 2, p, s)
                 add_angle(J, row, by_angle, case[4][1], 2 * count + len(case[2]), p)
             if n == 3:  # see `sides_of`
-                R[2 * p] = case[1][p, E_X] * z[2 * p] + case[1][p, E_0]
-                J[2 * p, :] = 0.0
-                J[2 * p, 2 * p] = case[1][p, E_X]
+                q = 2 * behind(count, p)
+                R[q], J[q, :] = ends_at(case, z, p), 0.0
+                J[q, q] = case[1][p, E_X] * (case[4][0] if q == 0 else 1.0)
             if n > 1:  # differences, since terms cancel where the duration vanishes
                 J[row, 2 * p + 1] = 0.0
                 h = DIFFERENCE / quickest(case, z, p)

@@ -75,6 +75,14 @@ def test_a_flight_that_leaves_a_stop_softly_touches_it_where_it_does() -> None:
     assert [event.kind for event in events[1]] == ["sticking", "grazing", "fold"]
 
 
+def test_a_flight_from_a_rest_may_last_a_quarter_of_a_cycle() -> None:
+    """There the force that it begins with would move the rest by as much as holds it."""
+    case = ns.scene("impact-inelastic")(
+        mass=1.2743, damping=0.05, stiffness=1.6528, gap=-0.26, frequency=1.505
+    )
+    assert both_ways(case, "force", (0.45, 0.6), (0.47, 0.55)) == [[], []]
+
+
 def test_a_rate_rises_through_zero_where_it_falls_at_first() -> None:
     """Of the polynomial t^3/3 - t^2/2 - t/5, whose rate is t^2 - t - 1/5."""
     terms = np.array([0.0, -0.2, -0.5, 1 / 3])
