@@ -89,18 +89,31 @@ def test_a_rate_rises_through_zero_where_it_falls_at_first() -> None:
     assert rises(terms, 0.0, 1.5) == pytest.approx((1 + np.sqrt(1.8)) / 2, rel=1e-14)
 
 
-def test_a_body_comes_to_rest_where_the_same_mass_does() -> None:
+def on_a_stop(**values: float):
+    """Return a body of one mass that comes to rest on a stop."""
     g = sp.Symbol("g", real=True)
-    body = Body(M=[[1.0]], K=[[1.0]], C=[[0.1]], forcing=[1], at={"end": [1]})
+    body = Body(M=[[1.0]], K=[[1.0]], C=[[0.1]], forcing=[F], at={"end": [1]})
     end = body.at["end"]
     stop = Event(end.x - g, jump={end.v: 0})
     flight = Phase("flight", end.force, stop, {"before the stop": g - end.x})
     rest = Phase("rest", end.a, Event(end.force), {"it presses": -end.force}, held=0)
-    own = parameters(gap=(g, "m", 0.9913), frequency=(Omega, "rad/s", 0.9))
+    own = parameters(gap=(g, "m", 0.9913), force=(F, "N", 1.0), frequency=(Omega, "rad/s", 0.9))
     scene = Scene("on-a-stop", "a mass", own, (flight, rest), frequency=Omega, body=body)
-    events = both_ways(ns.scene(scene)(), "gap", (0.9905, 0.9915), (0.9908, 0.9913))
+    return ns.scene(scene)(**values)
+
+
+def test_a_body_comes_to_rest_where_the_same_mass_does() -> None:
+    events = both_ways(on_a_stop(), "gap", (0.9905, 0.9915), (0.9908, 0.9913))
     assert [event.kind for (event,) in events] == ["sticking", "sticking"]
     assert events[0][0].parameter == pytest.approx(0.99102243197694, rel=1e-12)
+
+
+def test_the_flight_of_a_body_vanishes_where_its_stop_holds_it_for_ever() -> None:
+    found = ns.branch(on_a_stop(gap=-0.5, force=0.6), "force", 0.4, 0.61)
+    (event,) = found.events
+    assert (event.kind, event.phase) == ("sticking", "flight")
+    assert found.why_it_ended == ("sticking", "the end of the range")
+    assert event.parameter == pytest.approx(0.5, rel=1e-13)
 
 
 @pytest.mark.parametrize("belt", [0.5, 0.0])

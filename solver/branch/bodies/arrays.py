@@ -10,6 +10,8 @@ from ...bodies.modal import BodyError
 from ...bodies.part import Part, generator_of, parts_of
 from ...scenes.bodies.cell import BodyCell
 from ...scenes.cell import Form
+from ...scenes.mirror import same
+from ..along import earlier
 
 
 def in_order(cell: BodyCell, rows: Matrix) -> Matrix:
@@ -42,11 +44,11 @@ def arrays(cell: BodyCell, forms: Sequence[Form]) -> list[Matrix]:
 FLAT = 1e-11
 
 
-def begins_slowly(cell: BodyCell, p: int) -> bool:
-    """Whether a phase begins where its event happens, and the event has no rate there.
+def begins_slowly(cell: BodyCell, p: int) -> int:
+    """Return how often the event of a phase is zero where it begins, with its rates: up to 3.
 
-    Both follow from what is so where the phase before ends: by its event and, if it is held,
-    by its speed.
+    All follow from what is so where the phase before ends: by its event and, if it is held,
+    by its speed, and where it is held, if it began there and has none.
     """
     generators, switches, events, seen, *_ = arrays(cell, [])
     before, mirrored = cell.phases[p - 1], np.ones(len(events[0]))
@@ -56,10 +58,16 @@ def begins_slowly(cell: BodyCell, p: int) -> bool:
     if before.held:
         known.append(seen[p - 1, 1] - before.speed * np.eye(len(mirrored))[-1])
     through = mirrored[:, None] * switches[p - 1]
-    asked = np.array([events[p] @ through, events[p] @ generators[p] @ through])
+    rates = [events[p]]
+    for _ in range(2):
+        rates.append(rates[-1] @ generators[p])
+    asked, sizes = np.array(rates) @ through, np.abs(rates).max(axis=1, keepdims=True)
+    there = same(earlier(cell, p, 2).event, cell.phases[p].event)
+    if before.held and before.speed == 0 and there and not any(cell.phases[p].event[1:3]):
+        known.append(asked[0])
     left = asked - asked @ np.linalg.pinv(np.array(known)) @ np.array(known)
-    sizes = np.abs(np.array([events[p], events[p] @ generators[p]])).max(axis=1, keepdims=True)
-    return bool((np.abs(left) <= FLAT * sizes).all())
+    zero = (np.abs(left) <= FLAT * sizes).all(axis=1)
+    return int(np.cumprod(zero).sum())
 
 
 #: What rates may differ by, as a part of the largest of a row, that do not vary.

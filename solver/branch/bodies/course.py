@@ -66,8 +66,8 @@ class BodyCourse(Course):
         divided = divided_phases(cell, z[before:])
         for p in range(count):
             once = divided[p] or not returns(cell, p)
-            if once and all(begins_slowly(each, p) for each in cells):
-                divided[p] = 2
+            often = min(begins_slowly(each, p) for each in cells) if once else 0
+            divided[p] = often if often > 1 else divided[p]
         varying, known = known_of(cell, cells[1:], series)
         given = kinds, width, varying, divided, weights, before, float(cell.sign)
         return Along(*given, known)

@@ -23,7 +23,7 @@ from ...iteration.linear import product
 from ...stability.cell_map import lasting
 from ..extended import A_MOMENT, AN_INSTANT, DIFFERENCE, series_at
 from ..walk import outside
-from .exponential import less_two, norm
+from .exponential import less_three, less_two, norm
 from .ways import gained
 
 
@@ -114,8 +114,11 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
         if by:
             Y[:, 1 + row] += rate
         found = events[p] @ (Y if divided[p] == 0 else gain / s)
-        if divided[p] == 2:
-            found = twice(case, p, s, first)
+        if divided[p] > 1:
+            found = often(case, divided[p], p, s, first)
+        if divided[p] == 3:  # where it ends: on the surface, which its gain does not say
+            event = events[p, :states]
+            Y[:states] -= np.outer(event, events[p] @ Y) / np.dot(event, event)
         R[row], J[row] = found[0], found[1:]
         if by and divided[p] != 0:
             J[row, row] += slope(case, divided[p], p, s, first[:, :1].copy(), rate, R[row])
@@ -138,21 +141,23 @@ def slope(
 
     As a limit or by differences, where terms would cancel.
     """
-    if times == 2:
+    if times > 1:
         h = DIFFERENCE / norm(case[1][p])
-        ahead, back = twice(case, p, s + h, Y), twice(case, p, s - h, Y)
+        ahead, back = often(case, times, p, s + h, Y), often(case, times, p, s - h, Y)
         return float((ahead[0] - back[0]) / (2 * h))
     if abs(s) < A_MOMENT:
         return float(np.dot(case[3][p], case[1][p] @ rate) / 2)
     return float((np.dot(case[3][p], rate) - value) / s)
 
 
-def twice(case: Any, p: int, s: float, Y: Matrix) -> Vector:
-    """Return what the event of a phase gains in its duration, divided by that twice.
+def often(case: Any, times: int, p: int, s: float, Y: Matrix) -> Vector:
+    """Return what the event of a phase gains in its duration, divided by that 2 or 3 times.
 
-    It begins where the event happens and has no rate: what these would give is left out.
+    It begins where the event happens and has no rate, 3 times where that has none either: what
+    these would give is left out.
     """
-    found: Vector = case[3][p] @ (less_two(case[1][p], s) @ Y) / (s * s)
+    made = less_two(case[1][p], s) if times == 2 else less_three(case[1][p], s)
+    found: Vector = case[3][p] @ (made @ Y) / s**times
     return found
 
 

@@ -104,6 +104,25 @@ def less_one(matrix: Matrix, t: float) -> Matrix:
 
 def less_two(matrix: Matrix, t: float) -> Matrix:
     """Return ``exp(A t) - 1 - A t`` of a matrix A: a Taylor series, doubled."""
+    A, found, doublings = shortened(matrix, t)
+    found += A @ A / 2
+    for _ in range(doublings):
+        whole = A + found
+        A, found = 2 * A, whole @ whole + 2 * found
+    return found
+
+
+def less_three(matrix: Matrix, t: float) -> Matrix:
+    """Return ``exp(A t) - 1 - A t - (A t)^2 / 2`` of a matrix A, so as well."""
+    A, found, doublings = shortened(matrix, t)
+    for _ in range(doublings):
+        more = A @ A / 2 + found
+        A, found = 2 * A, 2 * (A @ more) + more @ more + 2 * found
+    return found
+
+
+def shortened(matrix: Matrix, t: float) -> tuple[Matrix, Matrix, int]:
+    """Return a part of ``A t`` that is short, its `less_three`, and how often it is doubled."""
     size, doublings, f = norm(matrix) * abs(t), 0, INVERSE_FACTORIALS
     if size > SHORT:
         doublings = ceil(log2(size / SHORT))
@@ -112,11 +131,7 @@ def less_two(matrix: Matrix, t: float) -> Matrix:
     A3, A4 = A2 @ A, A2 @ A2
     high = f[9] * A + f[10] * A2 + f[11] * A3 + f[12] * A4
     high = f[5] * A + f[6] * A2 + f[7] * A3 + f[8] * A4 + A4 @ high
-    found: Matrix = f[2] * A2 + f[3] * A3 + f[4] * A4 + A4 @ high
-    for _ in range(doublings):
-        whole = A + found
-        A, found = 2 * A, whole @ whole + 2 * found
-    return found
+    return A, f[3] * A3 + f[4] * A4 + A4 @ high, doublings
 
 
 def norm(matrix: Matrix) -> float:
