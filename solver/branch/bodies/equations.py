@@ -23,7 +23,7 @@ from ...iteration.linear import product
 from ...stability.cell_map import lasting
 from ..extended import A_MOMENT, AN_INSTANT, DIFFERENCE, series_at
 from ..walk import outside
-from .exponential import less_three, less_two, norm
+from .exponential import SHORT, less_three, less_two, norm
 from .ways import gained
 
 
@@ -154,9 +154,10 @@ def often(case: Any, times: int, p: int, s: float, Y: Matrix) -> Vector:
     """Return what the event of a phase gains in its duration, divided by that 2 or 3 times.
 
     It begins where the event happens and has no rate, 3 times where that has none either: what
-    these would give is left out.
+    these would give is left out, or of a long phase what the last would.
     """
-    made = less_two(case[1][p], s) if times == 2 else less_three(case[1][p], s)
+    short = times == 3 and norm(case[1][p]) * abs(s) <= SHORT
+    made = less_three(case[1][p], s) if short else less_two(case[1][p], s)
     found: Vector = case[3][p] @ (made @ Y) / s**times
     return found
 

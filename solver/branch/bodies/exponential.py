@@ -113,12 +113,8 @@ def less_two(matrix: Matrix, t: float) -> Matrix:
 
 
 def less_three(matrix: Matrix, t: float) -> Matrix:
-    """Return ``exp(A t) - 1 - A t - (A t)^2 / 2`` of a matrix A, so as well."""
-    A, found, doublings = shortened(matrix, t)
-    for _ in range(doublings):
-        more = A @ A / 2 + found
-        A, found = 2 * A, 2 * (A @ more) + more @ more + 2 * found
-    return found
+    """Return ``exp(A t) - 1 - A t - (A t)^2 / 2`` of a matrix A, no larger than `SHORT`."""
+    return shortened(matrix, t)[1]
 
 
 def shortened(matrix: Matrix, t: float) -> tuple[Matrix, Matrix, int]:
