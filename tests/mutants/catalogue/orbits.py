@@ -295,8 +295,8 @@ MUTANTS = (
     Mutant(
         "a slip of a body that vanishes has its event divided never",
         "solver/branch/bodies/course.py",
-        "                divided[p] = 2\n",
-        "                divided[p] = 0\n",
+        "            divided[p] = often if often > 1 else divided[p]\n",
+        "            divided[p] = 0\n",
         (f"{ENDS}::test_a_slip_vanishes_where_friction_just_holds",),
     ),
     Mutant(
