@@ -109,7 +109,9 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
                 return math.copysign(math.sqrt(abs(found)), found)
             return 0.0 if abs(found) <= rounding else found
 
-        at = float(brentq(value, *ends, xtol=NEAR * max(map(abs, ends)), rtol=NEAR, maxiter=200))
+        at = float(
+            brentq(value, *ends, xtol=NEAR * max(map(abs, ends)), rtol=NEAR, maxiter=200)
+        )
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
     return at, piece.stepped(before, at)

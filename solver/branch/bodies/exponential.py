@@ -1,8 +1,8 @@
 """What linear rates add to states in a time, ``(exp(G t) - 1) Y``, over arrays.
 
 By poles, along which each goes its own way: each pole s answers to what there is at first, to
-the waves of the forcing and to what stays as it is, see `answers`.  Or by a Taylor series of the
-matrix, doubled.
+the waves of the forcing and to what stays as it is, see `answers`.  Or by a Taylor series of
+the matrix, doubled.
 
 Plain Python, or compiled by numba.
 """
