@@ -50,6 +50,15 @@ def test_a_shipped_scene_as_a_body(motion) -> None:
     check(own, found)
 
 
+@pytest.mark.parametrize(("gap", "frequency"), [(0.3, 0.45), (0.0005, 0.35), (0.01, 0.35)])
+def test_a_rest_that_holds_all_of_a_body(gap: float, frequency: float) -> None:
+    """Its place and its velocity are known where it ends: the event is one of time alone."""
+    case = registry.load("impact-inelastic")(gap=gap, frequency=frequency)
+    own, ended, found, other_ended = followed(case, None, 30)
+    assert ended == other_ended == ""
+    check(own, found)
+
+
 @pytest.mark.parametrize(
     ("scene", "seed"),
     tried(

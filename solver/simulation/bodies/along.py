@@ -15,7 +15,7 @@ import numpy as np
 from ...arrays import Complex, Indices, Integers, Matrix, Vector
 from ...flow.divided import exp
 from ..steps.locate import NOISE
-from .modes import Modes, modes_of, power_of, real_of, size_of, value_of
+from .modes import Modes, modes_of, power_of, real_of, rounded, size_of, value_of
 from .phases import TERMS, Phases
 
 #: What a form may be on a surface that it is known to be on, as a part of its factors and of
@@ -80,9 +80,10 @@ def leading(phases: Phases, row: int, Y: Vector, zero: bool) -> int:
     it.
     """
     rates, rounding = phases.forms.rates[row], phases.forms.rounding[row]
+    known_to = rounded(Y, phases.poles.bases.shape[1])
     for order in range(TERMS):
         value = abs(value_of(rates[order], Y))
-        size = size_of(rounding[order] if order < 2 else rates[order], Y)
+        size = size_of(rounding[order] if order < 2 else rates[order], known_to)
         known = zero and order == 0 and value <= ON_IT * _largest(rates[0], Y)
         if value > NOISE * size and not known:
             return order

@@ -58,6 +58,17 @@ def size_of(row: Vector, Y: Vector) -> float:
     return total
 
 
+def rounded(Y: Vector, n: int) -> Vector:
+    """Return what the entries of a state of n coordinates are rounded by, over rounding.
+
+    Cosine and sine are by the angle of the forcing, also where they are near 0.
+    """
+    found = np.zeros(len(Y))
+    for i in range(len(Y)):
+        found[i] = 1.0 if n <= i < n + 2 else Y[i]
+    return found
+
+
 def power_of(number: float, order: int) -> float:
     """Return a power as products: compiled or not, they are rounded in the same way."""
     found = 1.0

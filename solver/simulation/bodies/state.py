@@ -11,11 +11,15 @@ import numpy as np
 from ...arrays import Matrix, Vector
 from ..steps import column
 from ..steps.column import NONE
-from ..steps.locate import EPS, NOISE
+from ..steps.locate import NOISE
 from ..steps.rules import Rules
 from ..steps.state import NEAR, Values, sets
 from .along import sign_after
-from .modes import size_of, value_of
+from .modes import rounded, size_of, value_of
+
+
+#: What a form has of its own beside others, as a part of it: less is rounding.
+NEW = 1e-10
 
 
 class BodyState(NamedTuple):
@@ -69,8 +73,8 @@ def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
         return True
     if abs(value_of(laws.velocity[p, 0, 0], Y) - speed) > NEAR * max(1.0, abs(speed)):
         return False
-    event = rules.forms[row]
-    return wall == NONE or on or abs(value_of(event, Y)) <= NOISE * size_of(event, Y)
+    event, known_to = rules.forms[row], rounded(Y, len(state.y))
+    return wall == NONE or on or abs(value_of(event, Y)) <= NOISE * size_of(event, known_to)
 
 
 def begun(rules: Rules, p: int, state: BodyState) -> BodyState:
@@ -108,7 +112,7 @@ def on(rows: Matrix, state: BodyState) -> BodyState:
             for i in range(n):
                 ways[k, i] -= part * ways[j, i]
         length = sqrt(value_of(ways[k], ways[k]))
-        is_new = length > EPS * n * before  # else it is one of those before it
+        is_new = length > NEW * before  # else it is one of those before it
         moved[k] = left / length if is_new else 0.0
         for i in range(n):
             ways[k, i] = ways[k, i] / length if is_new else 0.0
@@ -160,7 +164,8 @@ def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
 def may_switch(rules: Rules, p: int, before: BodyState) -> bool:
     """Whether a state is one that the event of a phase demands, but for rounding."""
     Y = full_of(before)
+    known_to = rounded(Y, len(before.y))
     for row in range(rules.kinds[p, column.AT_SWITCH], rules.kinds[p, column.END]):
-        if value_of(rules.forms[row], Y) < -NOISE * size_of(rules.forms[row], Y):
+        if value_of(rules.forms[row], Y) < -NOISE * size_of(rules.forms[row], known_to):
             return False
     return True

@@ -81,13 +81,13 @@ def reached(
     held, speed = rules.kinds[p, column.HELD] != 0, float(laws.speed[p])
     rows = np.zeros((3 if held else 1, len(Y)))
     for j in range(len(Y)):
-        rows[0, j] = rules.forms[row, j]
+        rows[-1, j] = rules.forms[row, j]
         if held:
-            rows[1, j] = laws.seen[0, j] if j < n else 0.0
-            rows[2, j] = laws.velocity[p, 0, 0, j]
+            rows[0, j] = laws.seen[0, j] if j < n else 0.0
+            rows[1, j] = laws.velocity[p, 0, 0, j]
     if held:
-        rows[1, n + 2] = -(value_of(rows[1], Y) + speed * s)
-        rows[2, n + 2] -= speed
+        rows[0, n + 2] = -(value_of(rows[0], Y) + speed * s)
+        rows[1, n + 2] -= speed
     y = state_at(rules.phases.poles, rules.omega, p, Y, s)
     return on(rows, BodyState(y, angle, NONE, state.memory))
 
