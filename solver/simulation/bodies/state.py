@@ -17,7 +17,6 @@ from ..steps.state import NEAR, Values, sets
 from .along import sign_after
 from .modes import rounded, size_of, value_of
 
-
 #: What a form has of its own beside others, as a part of it: less is rounding.
 NEW = 1e-10
 
