@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ...arrays import Vector
+from ...bodies import flow
 from ...flow import divided
 from ...kernels import linking
 from ...kernels.family import Family
@@ -18,6 +19,7 @@ from ...scenes.cell import Cell
 from ..machine import Machine, counting
 from ..nodes import InState
 from ..steps import chatter, clock, column, rules, switches
+from ..steps import locate as common_locate
 from ..steps import state as common_state
 from ..steps import step as common_step
 from ..steps.rules import Rules
@@ -34,18 +36,19 @@ from .step import watched
 PARTS = clock, chatter, common_state, switches, common_step
 OWN = modes, along, locate, state, step
 
+#: What is compiled with these as numbers alone.
+NUMBERS = column, rules, phases, common_locate, flow
+
 
 def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     """Return the functions of `step` and `run` over those of bodies, plain or compiled."""
-    flow = linking.made((divided,), {}, make)
-    given = {name: flow[name] for name in ("exp", "of_two", "of_three")}
+    made = linking.made((divided,), {}, make)
+    given = {name: made[name] for name in ("exp", "of_two", "of_three")}
     return linking.made((*PARTS, motion, *OWN), given, counting(make))
 
 
 #: The functions, linked as plain Python or compiled; what plain ones cost is kept.
-FAMILY = Family(
-    linked, (divided, column, rules, phases, *PARTS, *OWN), common_step.step, seconds=10.0
-)
+FAMILY = Family(linked, (divided, *NUMBERS, *PARTS, *OWN), common_step.step, seconds=10.0)
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...arrays import Complex, Vector
+from ...bodies.flow import CLEAR
 from ...flow.divided import exp, of_three, of_two
 from .phases import Poles
-
-#: Least turn or decay, over a time, of a pole against what drives it: with less, its steady
-#: answers lose digits.
-CLEAR = 0.1
 
 
 class Modes(NamedTuple):
