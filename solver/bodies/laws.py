@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from .modal import BodyError, Modal
+from .modal import Modal
+from .modes import BodyError
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell, BodyPhase

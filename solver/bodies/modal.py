@@ -6,27 +6,27 @@ that are kept, with its stiffness, mass and damping: R. H. MacNeal, Computers an
 (1971), 581-601, with the inertia of S. Rubin, AIAA Journal 13 (1975), 995-1006.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
 from ..arrays import Complex, Indices, Matrix, Vector
-
-#: Degrees of freedom up to which all modes are computed, by full matrices.
-DENSE = 1500
-
-#: Modes that are looked for at once, as a part of all, from which on matrices are full.
-MANY = 0.2
+from .modes import (
+    DENSE,
+    BodyError,
+    Solve,
+    exact_product,
+    factored,
+    natural_modes,
+    signs,
+    solver,
+)
 
 #: Where nothing forces, what is added to K for each M, as a part of the mean of K over M.
 SHIFT = 1e-8
-
-#: What rounding of K may change the square of a natural frequency by, as a part of it; and how
-#: many times its rounding the stiffness of a mode may be that has none.
-LOST, NOTHING = 1e-3, 4.0
 
 #: What a contact, or a damper, may see of a mode that it does not see, as a part.
 UNSEEN = 1e-11
@@ -40,10 +40,6 @@ BY_ROUNDING = 1e-9
 #: What of the compliance at a contact is rounding, as a part; and what of a static answer is
 #: new beside the others.
 STIFF, NEW = 1e-12, 1e-10
-
-
-class BodyError(ValueError):
-    """A body whose numbers allow no orbit to be computed; it says why."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,14 +137,14 @@ def modal(
     if whole and n > DENSE:
         raise BodyError(f"the body has {n} degrees of freedom: say how many modes are kept")
     shift = shift or SHIFT * K.diagonal().sum() / M.diagonal().sum()
-    stiff = None if whole else _solver(K + shift * M)
-    squares, shapes = _modes(M, K, count, shift, stiff)
-    squares = _with_digits(K, squares, shapes)
+    factors = None if whole else factored(K + shift * M)
+    squares, shapes = natural_modes(M, K, count, shift, factors)
     own = shapes @ _seen_first(shapes.T @ at, squares == 0)
     left_out = np.zeros((n, at.shape[1] + 1))
-    if stiff is not None:
+    if not whole:
+        stiff = solver(K + shift * M, factors)
         left_out = _left_out(M, shapes, np.hstack([at, force]), shift, stiff)
-    if stiff is not None and jumps:
+    if not whole and jumps:
         seen = (own.T @ at) ** 2 / np.where(squares == 0, np.inf, squares)[:, None]
         more, answers = _static_shapes(left_out[:, :-1], M, K, seen.sum(axis=0))
         left_out -= answers @ ((answers.T @ np.hstack([at, force])) / more[:, None])
@@ -156,8 +152,8 @@ def modal(
     seen, driven = own.T @ at, own.T @ force
     damping = np.zeros((len(squares), len(squares)))
     if "C" in matrices:
-        damping = own.T @ (matrices["C"] @ own)
-    mobility = seen.T @ seen if stiff is None else at.T @ _solver(M)(at)
+        damping = own.T @ exact_product(matrices["C"], own)[0]
+    mobility = seen.T @ seen if whole else at.T @ solver(M)(at)
     compliance = at.T @ left_out
     residual = np.zeros_like(mobility) if jumps else compliance[:, :-1]
     return _without_unseen(
@@ -193,7 +189,7 @@ def _static_shapes(left_out: Matrix, M: Any, K: Any, kept: Vector) -> tuple[Vect
     basis = turns[:, new] / sizes[:, None] / np.sqrt(values[new])  # of unit stiffness
     values, turns = np.linalg.eigh(basis.T @ mass[np.ix_(seen, seen)] @ basis)
     shapes = left_out[:, seen] @ basis @ turns / np.sqrt(values)
-    return 1 / values, shapes * _signs(shapes)
+    return 1 / values, shapes * signs(shapes)
 
 
 def damped(body: Modal, ratio: float | None) -> Modal:
@@ -216,77 +212,21 @@ def at_frequency(
     BodyError
         If the forcing is faster than all modes that are kept: others may resonate with it.
     """
+    from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
+
     n = matrices["M"].shape[0]
-    few, slow = len(body.squares) < n, np.sort(body.squares)[:modes]  # shapes come last
-    if modes is not None and modes < n and omega**2 > slow.max():
+    few, own = len(body.squares) < n, np.sort(body.squares)[:modes]  # shapes come last
+    if modes is not None and modes < n and omega**2 > own.max():
         raise BodyError("the forcing is faster than all modes that are kept: keep more of them")
     if not (few and omega and "C" in matrices and "forcing" in matrices):
         return body
-    full = matrices["K"] - omega**2 * matrices["M"] + 1j * omega * matrices["C"]
     rows = np.diag(body.squares - omega**2) + 1j * omega * body.damping
     kept = body.at.T @ np.linalg.solve(rows, body.forcing.astype(complex))
-    force = matrices["forcing"].toarray()[:, 0].astype(complex)
-    return replace(body, beyond=matrices["at"].toarray().T @ _solver(full)(force) - kept)
-
-
-Solve: TypeAlias = Callable[[Any], Any]
-
-
-def _modes(
-    M: Any, K: Any, count: int, shift: float, stiff: Solve | None
-) -> tuple[Vector, Matrix]:
-    """Return the squares of the lowest natural frequencies, and the modes, with unit mass.
-
-    `stiff` solves systems with ``K + shift M``: few modes of many are found by its inverse,
-    which keeps the digits of the lowest.
-    """
-    from scipy import linalg, sparse  # noqa: PLC0415  (a scene of one mass needs none)
-
-    n = M.shape[0]
-    begin = _begin(n)
-    try:
-        if stiff is None or (n <= DENSE and count > MANY * n):
-            found = linalg.eigh(K.toarray(), M.toarray(), subset_by_index=(0, count - 1))
-        else:
-            inverse = sparse.linalg.LinearOperator(M.shape, stiff, dtype=float)
-            found = sparse.linalg.eigsh(
-                K, count, M, sigma=-shift, OPinv=inverse, v0=begin, which="LM"
-            )
-    except (np.linalg.LinAlgError, RuntimeError, ValueError) as error:
-        raise BodyError(f"the modes of the body are not found: {error}") from None
-    order = np.argsort(found[0])
-    shapes = np.asarray(found[1], dtype=float)[:, order]
-    return np.asarray(found[0], dtype=float)[order], shapes * _signs(shapes)
-
-
-def _begin(n: int) -> Vector:
-    """Return a vector that no mode is orthogonal to: the same in every run."""
-    return np.random.default_rng(0).random(n) - 0.5
-
-
-def _signs(shapes: Matrix) -> Vector:
-    """Return the signs that make shapes the same ones along a parameter."""
-    return np.asarray(np.sign(_begin(len(shapes)) @ shapes))
-
-
-def _with_digits(K: Any, squares: Vector, shapes: Matrix) -> Vector:
-    """Return the squares of natural frequencies, 0 where the body moves freely.
-
-    That is where a mode has no stiffness beyond rounding of the entries of K; all others must
-    keep their digits.
-    """
-    sizes = np.abs(shapes)
-    rounding = np.finfo(float).eps * (sizes * (abs(K) @ sizes)).sum(axis=0)
-    squares = np.where(
-        np.abs((shapes * (K @ shapes)).sum(axis=0)) <= NOTHING * rounding, 0.0, squares
-    )
-    lost = float((rounding / np.where(squares == 0, np.inf, np.abs(squares))).max())
-    if lost > LOST:
-        raise BodyError(
-            f"K: rounding of its entries may change a natural frequency by {lost / 2:.1g} of "
-            "it: take fewer elements"
-        )
-    return squares
+    at, force = matrices["at"].toarray(), matrices["forcing"].toarray()
+    stiff, damping = (matrices["K"] - omega**2 * matrices["M"], -omega * matrices["C"])
+    full = sparse.block_array([[stiff, damping], [damping, -stiff]], format="csr")  # Re, Im
+    real, imag = np.split(solver(full)(np.vstack([force, 0 * force]))[:, 0], 2)
+    return replace(body, beyond=at.T @ real + 1j * (at.T @ imag) - kept)
 
 
 def _seen_first(at: Matrix, free: Indices) -> Matrix:
@@ -330,17 +270,3 @@ def _left_out(M: Any, shapes: Matrix, right: Matrix, shift: float, stiff: Solve)
             return found
         last = change
     raise BodyError("the modes left out are too slow for the forcing: keep more of them")
-
-
-def _solver(matrix: Any) -> Solve:
-    """Return what solves systems with a symmetric sparse matrix."""
-    from scipy import sparse  # noqa: PLC0415
-
-    try:
-        factors = sparse.linalg.splu(
-            matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.1,
-            options={"SymmetricMode": True},
-        )  # fmt: skip
-    except RuntimeError:
-        raise BodyError("the matrices of the body are singular") from None
-    return lambda right: factors.solve(np.asarray(right))

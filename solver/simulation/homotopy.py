@@ -17,7 +17,7 @@ import numpy as np
 
 from ..arrays import Complex, Vector
 from ..bodies.laws import free, places
-from ..bodies.modal import BodyError
+from ..bodies.modes import BodyError
 from ..iteration.newton import newton
 from ..kernels.bodies import exact_kernel
 from ..kernels.start import RoughTimes
@@ -31,7 +31,7 @@ WORDS = "the linear response, by homotopy"
 POWER = 3
 
 #: The first step, the least, and how many are tried.
-FIRST, LEAST, MOST = 1 / 8, 1 / 512, 60
+FIRST, LEAST, MOST = 1 / 8, 1 / 2048, 60
 
 #: Iterations of a step, at most, and up to how many it is easy; and by what part of a cell
 #: durations may differ from those of the secant.

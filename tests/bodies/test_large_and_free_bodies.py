@@ -13,6 +13,7 @@ from scipy.linalg import expm
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene
 from nonsmooth.solver.bodies import modal
+from nonsmooth.solver.bodies import modes as natural
 from nonsmooth.solver.bodies.force_series.layout import layout
 from nonsmooth.solver.scenes.parameter_error import ParameterError
 
@@ -104,7 +105,7 @@ def test_few_modes_are_those_of_full_matrices(damping: str, monkeypatch) -> None
     if damping == "C":
         given["C"] = (0.01 * K + sparse.csc_array(0.02 * force @ force.T)).tocsc()
     few = modal.at_frequency(modal.damped(modal.modal(given, 12, 4e-4), ratio), given, 0.02)
-    monkeypatch.setattr(modal, "MANY", 0.0)
+    monkeypatch.setattr(natural, "MANY", 0.0)
     full = modal.at_frequency(modal.damped(modal.modal(given, 12, 4e-4), ratio), given, 0.02)
     turn = np.sign(few.forcing * full.forcing)
     assert few.squares == pytest.approx(full.squares, rel=1e-9)

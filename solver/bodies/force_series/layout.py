@@ -8,7 +8,7 @@ import numpy as np
 
 from ...arrays import Complex, Indices, Integers, Matrix, Vector
 from ..laws import added, law_matrix, lawful, places
-from ..modal import BodyError
+from ..modes import BodyError
 from ..part import shifts
 from ..poles import Forms, Poles, poles_of
 from ..switch import impulses, switch

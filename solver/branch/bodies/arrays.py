@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...arrays import Complex, Indices, Matrix, Vector
-from ...bodies.modal import BodyError
+from ...bodies.modes import BodyError
 from ...bodies.part import Part, generator_of, parts_of
 from ...scenes.bodies.cell import BodyCell
 from ...scenes.cell import Form

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias
 import numpy as np
 
 from ...bodies.laws import places
-from ...bodies.modal import BodyError, Modal, at_frequency, damped, modal
+from ...bodies.modal import Modal, at_frequency, damped, modal
+from ...bodies.modes import BodyError
 from ...bodies.poles import poles_of
 from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units

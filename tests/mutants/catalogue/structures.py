@@ -90,7 +90,7 @@ MUTANTS = (
     ),
     Mutant(
         "a mesh without digits passes",
-        "solver/bodies/modal.py",
+        "solver/bodies/modes.py",
         "    if lost > LOST:",
         "    if lost > 1.0:",
         ("tests/bodies/test_large_and_free_bodies.py",),

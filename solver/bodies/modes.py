@@ -1,0 +1,239 @@
+"""The natural modes of a structure, with the digits that its matrices determine.
+
+What computes eigenvalues errs by the rounding of the largest, and so does a step with K; that
+is 2e-9 of the lowest frequency of a beam of 60 modes.  What is left of ``K q - w^2 M q``, which
+is summed without rounding, corrects both: T. Ogita and K. Aishima, Japan J. Indust. Appl. Math.
+35 (2018), 1007-1035; the sum is that of K. Ozaki et al., Numer. Algorithms 59 (2012), 95-118.
+"""
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..arrays import Indices, Matrix, Vector
+
+#: Degrees of freedom up to which all modes are computed, by full matrices.
+DENSE = 1500
+
+#: Modes that are looked for at once, as a part of all, from which on matrices are full.
+MANY = 0.2
+
+#: What rounding of K may change the square of a natural frequency by, as a part of it; and how
+#: many times its rounding the stiffness of a mode may be that has none.
+LOST, NOTHING = 1e-3, 4.0
+
+#: Ratio of the squares of frequencies up to which they have their digits.
+WIDE = 100.0
+
+#: Turns of modes into each other: where they are settled, and where two modes are nearly one,
+#: as they are where their squares differ by less than a part.
+SETTLED, NEARLY_ONE, ALIKE = 1e-10, 1e-2, 1e-6
+
+#: Corrections at most.
+CORRECTIONS = 4
+
+#: Bits of a number, and of how many parts it is the sum.
+BITS, PARTS = 53, 4
+
+Solve: TypeAlias = Callable[[Matrix], Matrix]
+
+
+class BodyError(ValueError):
+    """A body whose numbers allow no orbit to be computed; it says why."""
+
+
+def natural_modes(
+    M: Any, K: Any, count: int, shift: float, factors: Any = None
+) -> tuple[Vector, Matrix]:
+    """Return the squares of the lowest natural frequencies, and the modes, with unit mass.
+
+    Parameters
+    ----------
+    M, K : sparse array, shape (n, n)
+    count : int
+        How many.
+    shift : float
+        Of the spectrum, where few modes of many are found.
+    factors : SuperLU, optional
+        Those of ``K + shift M``, by which few modes of many are found; without them all are.
+
+    Raises
+    ------
+    BodyError
+        If they are not found, or rounding of K leaves no digits.
+    """
+    squares, shapes = _found(M, K, count, shift, factors)
+    if squares[-1] > WIDE * np.abs(squares).min():
+        squares, shapes = corrected(M, K, squares, shapes, factors)
+    return _with_digits(K, squares, shapes), shapes * signs(shapes)
+
+
+def _found(M: Any, K: Any, count: int, shift: float, factors: Any) -> tuple[Vector, Matrix]:
+    from scipy import linalg, sparse  # noqa: PLC0415  (a scene of one mass needs none)
+
+    n = M.shape[0]
+    try:
+        if factors is None or (n <= DENSE and count > MANY * n):
+            found = linalg.eigh(K.toarray(), M.toarray(), subset_by_index=(0, count - 1))
+        else:
+            inverse = sparse.linalg.LinearOperator(M.shape, factors.solve, dtype=float)
+            found = sparse.linalg.eigsh(
+                K, count, M, sigma=-shift, OPinv=inverse, v0=_begin(n), which="LM"
+            )
+    except (np.linalg.LinAlgError, RuntimeError, ValueError) as error:
+        raise BodyError(f"the modes of the body are not found: {error}") from None
+    return _sorted(*(np.asarray(part, dtype=float) for part in found))
+
+
+def corrected(
+    M: Any, K: Any, squares: Vector, shapes: Matrix, factors: Any = None
+) -> tuple[Vector, Matrix]:
+    """Return natural modes with their digits, from some that have half of them.
+
+    Each is turned by the others by what is left of its equation there, over the distance of
+    the frequencies.  Those that are nearly one are told apart by their own small matrices;
+    what a mode has of those that are not among them is taken away by the factors.
+    """
+    from scipy import linalg  # noqa: PLC0415
+
+    for _ in range(CORRECTIONS):
+        pull, mass = exact_product(K, shapes)[0], M @ shapes
+        apart = np.eye(len(squares)) - _symmetric(shapes.T @ mass)
+        stiffness = _symmetric(shapes.T @ pull)
+        squares = stiffness.diagonal() / (1 - apart.diagonal())
+        left, distance = stiffness + apart * squares, squares - squares[:, None]
+        near = np.abs(left) >= NEARLY_ONE * np.abs(distance)
+        near |= np.abs(distance) <= ALIKE * np.abs(squares)
+        own = np.diag(apart.diagonal()) / 2
+        turns = np.where(near, own, left / np.where(near, 1.0, distance))
+        others = np.zeros_like(shapes)
+        if factors is not None:
+            rest = factors.solve(pull - mass * squares)
+            others = shapes @ (mass.T @ rest) - rest
+        size = SETTLED * np.abs(shapes).max(axis=0)
+        settled = np.abs(turns).max() <= SETTLED and (np.abs(others).max(axis=0) <= size).all()
+        for group in _groups(near):
+            here = np.ix_(group, group)
+            squares[group], turned = linalg.eigh(
+                stiffness[here], np.eye(len(group)) - apart[here]
+            )
+            turns[here] = 0.0
+            turns[:, group] = turns[:, group] @ turned
+            turns[here] = turned - np.eye(len(group))
+        shapes = shapes + (shapes @ turns + others)
+        if settled:
+            break
+    return _sorted(squares, shapes)
+
+
+def _symmetric(matrix: Matrix) -> Matrix:
+    return np.asarray((matrix + matrix.T) / 2)
+
+
+def _groups(near: Indices) -> list[Indices]:
+    """Return which modes are nearly one, directly or through others."""
+    from scipy.sparse import csgraph  # noqa: PLC0415
+
+    count, labels = csgraph.connected_components(near, directed=False)
+    groups = (np.flatnonzero(labels == j) for j in range(count))
+    return [group for group in groups if len(group) > 1]
+
+
+def _sorted(squares: Vector, shapes: Matrix) -> tuple[Vector, Matrix]:
+    order = np.argsort(squares)
+    return squares[order], shapes[:, order]
+
+
+def exact_product(A: Any, B: Matrix) -> tuple[Matrix, Matrix]:
+    """Return ``A B`` of a sparse and a full matrix, rounded, and the rounding of that.
+
+    Both are cut into parts of so few bits that the products of parts are without rounding.
+    """
+    most = max(int(np.diff(A.tocsr().indptr).max(initial=1)), 2)
+    bits = (BITS - int(np.ceil(np.log2(most)))) // 2
+    rows = abs(A).max(axis=1).toarray().ravel()
+    of_row = np.repeat(rows, np.diff(A.tocsr().indptr))
+    total = low = np.zeros((A.shape[0], B.shape[1]))
+    columns = _parts(B, np.abs(B).max(axis=0), bits)
+    for values in _parts(A.tocsr().data, of_row, bits):
+        part = A.tocsr().copy()
+        part.data = values
+        for column in columns:
+            product = part @ column
+            grown = total + product
+            kept = grown - total
+            low = low + ((total - (grown - kept)) + (product - kept))
+            total = grown
+    return total + low, (total - (total + low)) + low
+
+
+def _parts(values: Any, sizes: Vector, bits: int) -> list[Any]:
+    """Return parts of so many bits each of which numbers are the sums, the largest first."""
+    found, top = [], np.exp2(np.ceil(np.log2(np.where(sizes > 0, sizes, 1.0))))
+    for q in range(1, 1 + PARTS):
+        step = top * 2.0 ** (BITS - q * bits)  # what is less than a bit of it is rounded
+        part = (values + step) - step
+        found.append(part)
+        values = values - part
+        if not values.any():
+            break
+    return found
+
+
+def _begin(n: int) -> Vector:
+    """Return a vector that no mode is orthogonal to: the same in every run."""
+    return np.random.default_rng(0).random(n) - 0.5
+
+
+def signs(shapes: Matrix) -> Vector:
+    """Return the signs that make shapes the same ones along a parameter."""
+    return np.asarray(np.sign(_begin(len(shapes)) @ shapes))
+
+
+def _with_digits(K: Any, squares: Vector, shapes: Matrix) -> Vector:
+    """Return the squares of natural frequencies, 0 where the body moves freely.
+
+    That is where a mode has no stiffness beyond rounding of the entries of K; all others must
+    keep their digits.
+    """
+    sizes = np.abs(shapes)
+    rounding = np.finfo(float).eps * (sizes * (abs(K) @ sizes)).sum(axis=0)
+    squares = np.where(
+        np.abs((shapes * (K @ shapes)).sum(axis=0)) <= NOTHING * rounding, 0.0, squares
+    )
+    lost = float((rounding / np.where(squares == 0, np.inf, np.abs(squares))).max())
+    if lost > LOST:
+        raise BodyError(
+            f"K: rounding of its entries may change a natural frequency by {lost / 2:.1g} of "
+            "it: take fewer elements"
+        )
+    return squares
+
+
+def factored(matrix: Any) -> Any:
+    """Return the factors of a symmetric sparse matrix."""
+    from scipy import sparse  # noqa: PLC0415
+
+    try:
+        return sparse.linalg.splu(
+            matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.1,
+            options={"SymmetricMode": True},
+        )  # fmt: skip
+    except RuntimeError:
+        raise BodyError("the matrices of the body are singular") from None
+
+
+def solver(matrix: Any, factors: Any = None) -> Solve:
+    """Return what solves systems with a symmetric sparse matrix, with the digits of a number.
+
+    What is left of a system is solved once more.
+    """
+    factors = factored(matrix) if factors is None else factors
+
+    def solve(right: Matrix) -> Matrix:
+        found = factors.solve(right)
+        product, rest = exact_product(matrix, found)
+        return np.asarray(found + factors.solve((right - product) - rest))
+
+    return solve
