@@ -155,9 +155,9 @@ def aside(piece: Piece, place: Place) -> tuple[Piece, Place]:
     for side in (ASIDE, -ASIDE):
         with suppress(ArithmeticError):
             there = piece.stepped(place, side)
-            if abs(there.y[-1]) > 1:
-                continue
             y = there.y
+            if abs(y[-1]) > 1 or not piece.admits(there):
+                continue
             table = piece.course.table(piece.numbers(y), y[:-1], piece.rows)
             if not np.array_equal(table, piece.table):
                 return piece.moved(there)

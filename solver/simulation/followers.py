@@ -11,10 +11,11 @@ from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Form
 from ..scenes.orders import OrderedScene, Step, pairs
-from .bodies.state import BodyState
+from .bodies.state import BodyState, on
 from .machine import Machine
 from .machines import machine_of
 from .nodes import InState, Node
+from .steps.column import ROW
 from .steps.state import AnyState, State
 
 if TYPE_CHECKING:
@@ -109,7 +110,11 @@ def not_followed(orbit: "Motion") -> tuple[str, ...]:
         node, expected = machine.node(one), machine.node(other)
         angle = orbit.angle + machine.cell.omega * float(total[p])
         memory = scene.remembered(orbit.memory_values, p)
-        after = machine.after(one, _end_of(orbit, p, angle, memory))
+        end = _end_of(orbit, p, angle, memory)
+        if isinstance(end, BodyState):  # on its event without rounding, as in a simulation
+            own = machine.rules.kinds[machine.number(one), ROW]
+            end = on(machine.rules.forms[[own]], end)
+        after = machine.after(one, end)
         if after is None or _numbers(after) != _numbers(expected):
             name = "no phase" if after is None else _name(after)
             found.append(f"where {_name(node)} ends, {name} follows, not {_name(expected)}")

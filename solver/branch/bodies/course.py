@@ -126,7 +126,8 @@ class BodyCourse(Course):
 
     def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
         """Return what a cell makes of perturbations, and its size: computed again."""
-        found, size, _ = equations.cell_map(case, z, kept, 0.0)
+        with np.errstate(all="ignore"):  # an event may be touched there
+            found, size, _ = equations.cell_map(case, z, kept, 0.0)
         return found, size
 
     def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:

@@ -51,7 +51,7 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     the branch of the shorter one: where its halves differ.  None without one.
     """
     at, old = AtEvent(found), found.piece
-    if at.cell.memory or at.course.endless:
+    if at.course.endless:
         return None
     slots = (*at.slots, *map(at.next_cell, at.slots))
     order = Order(tuple(slot.step for slot in slots))
