@@ -133,6 +133,8 @@ def _symmetric(matrix: Matrix) -> Matrix:
 
 def _groups(near: Indices) -> list[Indices]:
     """Return which modes are nearly one, directly or through others."""
+    if near.sum() <= len(near):  # each with itself
+        return []
     from scipy.sparse import csgraph  # noqa: PLC0415
 
     count, labels = csgraph.connected_components(near, directed=False)
@@ -150,15 +152,14 @@ def exact_product(A: Any, B: Matrix) -> tuple[Matrix, Matrix]:
 
     Both are cut into parts of so few bits that the products of parts are without rounding.
     """
-    most = max(int(np.diff(A.tocsr().indptr).max(initial=1)), 2)
-    bits = (BITS - int(np.ceil(np.log2(most)))) // 2
-    rows = abs(A).max(axis=1).toarray().ravel()
-    of_row = np.repeat(rows, np.diff(A.tocsr().indptr))
-    total = low = np.zeros((A.shape[0], B.shape[1]))
+    A = A.tocsr()
+    counts = np.diff(A.indptr)
+    bits = (BITS - int(np.ceil(np.log2(max(counts.max(initial=0), 2))))) // 2
+    rows = np.repeat(abs(A).max(axis=1).toarray().ravel(), counts)
     columns = _parts(B, np.abs(B).max(axis=0), bits)
-    for values in _parts(A.tocsr().data, of_row, bits):
-        part = A.tocsr().copy()
-        part.data = values
+    total = low = np.zeros((A.shape[0], B.shape[1]))
+    for values in _parts(A.data, rows, bits):
+        part = type(A)((values, A.indices, A.indptr), shape=A.shape)
         for column in columns:
             product = part @ column
             grown = total + product
