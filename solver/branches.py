@@ -15,12 +15,14 @@ from .existence.known import are_one, known_orbits
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
-from .results.branch import Branch, BranchInterrupted
+from .results.branch import Branch
 from .results.family import Beside
-from .scenes.case import Case, index_of
+from .results.interrupted import Interrupted
+from .results.orbit import Orbit
+from .scenes.case import Case, check_case, index_of
 from .scenes.loaded import UnknownScene
 from .scenes.methods import FIRST
-from .scenes.parameter_error import ParameterError
+from .scenes.parameter_error import ParameterError, is_number, plain
 from .search import check_order
 from .solve import number_of_functions, orbit_beside
 
@@ -69,7 +71,7 @@ class Expansion:
                 raise ValueError(f"functions: got {functions!r}, expected beside a method")
             return cls()
         name = registry.generic_method(case.scene, FIRST if method is None else method)
-        count = number_of_functions(case, name, functions)
+        count = number_of_functions(case, name, plain(functions))
         kernel = registry.kernel(case.scene, name, count)
         return cls(name, check_order(kernel, ORDER if order is None else order), count)
 
@@ -86,51 +88,72 @@ class Expansion:
         return None
 
 
-def branch_case(
-    case: Case, parameter: str, first: float, last: float, start: ExactOrbit | None = None,
-    seen: Seen = lambda value: None, how: Expansion = Expansion(),
-) -> Branch:  # fmt: skip
-    """Return the branch of an orbit along a parameter.
+def branch(
+    case: Case,
+    parameter: str,
+    first: float,
+    last: float,
+    *,
+    start: Orbit | ExactOrbit | None = None,
+    method: str | None = None,
+    order: int | None = None,
+    functions: int | None = None,
+    progress: Seen = lambda value: None,
+) -> Branch:
+    """Return the orbit of an oscillator followed along a parameter, stable or not.
+
+    The orbits are exact.  The branch goes round folds, and on with another order of phases
+    where one begins or ends; what happens on it is located to rounding and named.
 
     Parameters
     ----------
     case : Case
-        The oscillator; where `start` is not given, the branch is followed from the orbit at
-        its own value of the parameter, if that is in the range; else from one at the ends of
-        the range, in the middle or at a quarter.
+        The oscillator.  The branch is that of its orbit, if its value of the parameter is in
+        the range; else of one that is found at an end of the range, in the middle or at a
+        quarter.
     parameter : str
-        One of the scene.
+        Its name.
     first, last : float
         The range of the parameter, in SI units.
-    start : ExactOrbit, optional
-        An orbit on the branch.
-    seen : callable
-        Called with the parameter of each orbit as it is found.
-    how : Expansion
-        What is solved beside each orbit, from its times.
+    start : Orbit or ExactOrbit, optional
+        An orbit on the branch, of any parameters.
+    method, order, functions : str, int, int, optional
+        An expansion that is solved beside each orbit, from its times, as `solve` takes it;
+        with one of the first two the other has its default.  Each row has it as ``beside``,
+        with its errors.
+    progress : callable, optional
+        Called with the parameter of each orbit when it is found.
 
     Raises
     ------
-    ParameterError
-        If the scene has no such parameter, or an end of the range cannot be one, or there is
-        no such oscillator at any value that is tried.
+    TypeError
+        If `case` is none.
     ValueError
-        If the range is empty, or `start` is not in it.
+        If the parameter is none, an end of the range makes no oscillator (`ParameterError`),
+        or the range is empty or does not hold `start`.
     NoOrbit
         If there is no orbit to start from; with what was tried.
-    BranchInterrupted
+    Interrupted
         A `KeyboardInterrupt`: with what was found before.
 
     Examples
     --------
-    >>> from nonsmooth.solver.kernels import registry
-    >>> case = registry.load("impact")(gap=0.5, damping=0, restitution=0.8)
-    >>> found = branch_case(case, "frequency", 1.7, 2.0)
-    >>> [f"{event.kind} {event.parameter:.10f}" for event in found.events]
-    ['fold 1.9338387822', 'grazing 1.7320508076']
+    >>> import nonsmooth as ns
+    >>> spring = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.0)
+    >>> response = ns.branch(spring, "frequency", 0.8, 1.3)
+    >>> [f"{event.kind} {event.parameter:.9f}" for event in response.events]
+    ['grazing 0.843867938', 'fold 1.234899060', 'fold 1.130048750', 'grazing 1.130436598']
+    >>> [row.stable for row in response if 1.14 < row.value < 1.23].count(False) > 0
+    True
     """
+    check_case(case)
+    near = start if isinstance(start, ExactOrbit) else getattr(start, "exact", None)
+    if near is None and start is not None:
+        raise ValueError(f"start: got {start!r:.80}, expected an orbit near an exact one")
+    case = case if near is None else near.case
+    how = Expansion.checked(case, method, order, functions)
     bounds = _bounds(case, parameter, first, last)
-    orbit = _start(case, parameter, bounds) if start is None else start
+    orbit = _start(case, parameter, bounds) if near is None else near
     value = orbit.case.values[parameter]
     if not bounds[0] <= value <= bounds[1]:
         expected = f"an orbit between {first:g} and {last:g}"
@@ -143,51 +166,59 @@ def branch_case(
         why = str(error) or "its equations are singular, to rounding"
         raise NoOrbit(f"{words} {parameter} = {value:g}: {why}", False, ()) from None
     try:
-        go(found, place, seen=seen)
+        go(found, place, seen=progress)
     except KeyboardInterrupt:
         if not found.points():
             raise
-        raise BranchInterrupted([_result(case, parameter, found, how)]) from None
+        raise _interrupted([_result(case, parameter, found, how)]) from None
     return _result(case, parameter, found, how)
 
 
-def every_branch(
+def branches(
     case: Case,
     parameter: str,
     first: float,
     last: float,
-    seen: Seen = lambda value: None,
-    how: Expansion = Expansion(),
+    progress: Seen = lambda value: None,
+    *,
+    method: str | None = None,
+    order: int | None = None,
+    functions: int | None = None,
 ) -> list[Branch]:
     """Return the branches of all orbits that are found at a few values of a parameter.
 
-    And those at their flips, of orbits of twice the period, and where they lose their symmetry.
+    Orbits that coexist, islands that no branch from elsewhere reaches, those of twice the
+    period at flips, and those without the symmetry where it is lost.
 
     Parameters
     ----------
-    case, parameter, first, last, seen, how
-        See `branch_case`.
+    case, parameter, first, last, progress, method, order, functions
+        See `branch`.
 
     Raises
     ------
-    NoOrbit
-        If no orbit is found at any value.
-    BranchInterrupted
-        A `KeyboardInterrupt`: with the branches that were followed before.
+    TypeError, ValueError, NoOrbit, Interrupted
+        See `branch`.
     """
+    check_case(case)
+    how = Expansion.checked(case, method, order, functions)
     bounds = _bounds(case, parameter, first, last)
     branches: list[Branch] = []
     try:
-        for both in every_way(case, parameter, bounds, VALUES, DOUBLED, seen):
+        for both in every_way(case, parameter, bounds, VALUES, DOUBLED, progress):
             own = case if both.course is None else both.course.case(case)
             branches.append(_result(own, parameter, both, how))
     except KeyboardInterrupt:
         if not branches:
             raise
-        raise BranchInterrupted(branches) from None
+        raise _interrupted(branches) from None
     if not branches:
         _start(case, parameter, bounds)
     return branches
+
+
+def _interrupted(done: list[Branch]) -> Interrupted:
+    return Interrupted(done, f"{sum(map(len, done))} orbits are found")
 
 
 def every_way(
@@ -241,6 +272,9 @@ def _orbits(case: Case) -> list[ExactOrbit]:
 
 
 def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
+    for end in (first, last):
+        if not is_number(end):
+            raise ValueError(f"range: got {end!r:.80}, expected a finite number")
     index_of(case, parameter)
     ends = sorted(case.with_value(parameter, q).values[parameter] for q in (first, last))
     if ends[1] - ends[0] <= LEAST_RANGE * max(map(abs, ends)):

@@ -20,7 +20,8 @@ from .charts.block import NEITHER, STABLE, block_of
 from .charts.curves import curves_of
 from .charts.lines import Line, Stretch, line_of
 from .charts.plane import Bounds, Plane
-from .results.chart import Chart, ChartInterrupted, EventCurve
+from .results.chart import Chart, EventCurve
+from .results.interrupted import Interrupted
 from .scenes.case import Case, check_case, index_of
 from .scenes.parameter_error import is_number
 
@@ -88,7 +89,7 @@ def chart(
         oscillator, or the equations change too much over it.
     ValueError
         If there are not two axes, or one is not two different numbers and a count.
-    ChartInterrupted
+    Interrupted
         A `KeyboardInterrupt`: with the rows that were computed before.
 
     Examples
@@ -133,7 +134,7 @@ def chart(
         if not done:
             raise
         part_of = _result(case, names, values, planes, best, curves)
-        raise ChartInterrupted(part_of, done) from None
+        raise Interrupted(part_of, f"{done} of {rows.count} rows are done") from None
     return _result(case, names, values, planes, best, curves)
 
 

@@ -11,7 +11,7 @@ from .in_order import settled_cases
 from .kernels.start import PATIENCE, RoughTimes, rough_times
 from .no_orbit import NoOrbit, of_any_motion
 from .orbit.exact_orbit import ExactOrbit, from_times
-from .scenes.case import Case
+from .scenes.case import Case, check_case
 from .scenes.orders import OrderedScene
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 from .stability.stability import is_stable
@@ -22,7 +22,7 @@ __all__ = ["ExactOrbit", "exact_orbit"]
 def exact_orbit(
     case: Case, durations: Sequence[float] = (), forcing_phase: float = 0.0
 ) -> ExactOrbit:
-    """Return the exact orbit of a case.
+    """Return the exact periodic orbit of an oscillator.
 
     Parameters
     ----------
@@ -35,13 +35,31 @@ def exact_orbit(
     forcing_phase : float
         Rough phase of the forcing, with them.
 
+    Returns
+    -------
+    ExactOrbit
+        Period, times and motion, from the closed-form flow of each phase.
+
     Raises
     ------
+    TypeError
+        If `case` is none.
     ValueError
         If there are not as many durations as phases, or they are not positive.
     NoOrbit
         If no start leads to an admissible orbit; with what each led to.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
+    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
+    >>> print(f"{ns.exact(belt).period:.10f} s")
+    0.6712388980 s
+    >>> print(f"{ns.exact(ns.scene('impact')()).forcing_phase:.10f} rad")
+    0.9296439860 rad
     """
+    check_case(case)
     if len(durations):
         return _of_motion(case, durations, forcing_phase)
     try:

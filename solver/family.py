@@ -6,17 +6,22 @@ not followed.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
 
 from .branch.branch import Both, go, orbits_at, start_of
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
-from .results.family import Family, FamilyInterrupted, FamilyRow
+from .results.family import Family, FamilyRow
+from .results.interrupted import Interrupted
 from .results.orbit import Orbit
-from .scenes.case import Case, index_of
+from .scenes.case import Case, check_case, index_of
 from .scenes.methods import FIRST
+from .scenes.parameter_error import plain
 from .search import check_order
 from .solve import number_of_functions, orbit_beside, solve_case
 from .stability.monodromy import NoMultipliersError
@@ -31,28 +36,33 @@ MOST_VALUES = 100_000
 PART = 0.25
 
 
-def family_case(
+def family(
     case: Case,
     parameter: str,
-    values: Iterable[float],
-    method: str = FIRST,
-    order: int = ORDER,
+    values: npt.ArrayLike,
+    method: str | None = None,
+    order: int | None = None,
+    *,
     functions: int | None = None,
     progress: Callable[[FamilyRow], None] = lambda row: None,
 ) -> Family:
-    """Return the orbits of a case while one parameter takes each of some values.
+    """Return the orbits of an oscillator as one of its parameters takes many values.
 
     Parameters
     ----------
     case : Case
-        The oscillator; its own value of the parameter does not matter.
+        The oscillator.
     parameter : str
-        One of the scene.
-    values : iterable of float
-        In SI units, in the order of the rows.
-    method, order, functions : str, int, int
-        See `solve_case`.
-    progress : callable
+        Its name.
+    values : array_like of float, shape (n,)
+        What it becomes, in SI units.  An orbit is looked for from that at the value before.
+    method : str, optional
+        See `solve`.
+    order : int, optional
+        ``N``; without it one at which these have converged to rounding.
+    functions : int, optional
+        Functions of ``"hb-ck"`` at each switch.
+    progress : callable, optional
         Called with each row when it is done.
 
     Returns
@@ -63,29 +73,43 @@ def family_case(
 
     Raises
     ------
-    ParameterError
-        If the scene has no such parameter, or a value cannot be one; before anything is
-        computed.
+    TypeError
+        If `case` is none.
     ValueError
-        If there are no values or too many, or a method or an order cannot be computed.
-    FamilyInterrupted
+        If the parameter, the method or the order is not one that there is, there are no values
+        or too many, or one makes no oscillator (`ParameterError`); before any is computed.
+    Interrupted
         A `KeyboardInterrupt`: with the orbits that were computed before.
 
     Examples
     --------
-    >>> from nonsmooth.solver.kernels import registry
-    >>> case = registry.load("impact")()
-    >>> [row.status for row in family_case(case, "mass", [1.0, 1.1], order=8).rows]
-    ['ok', 'ok']
+    >>> import nonsmooth as ns
+    >>> along = ns.family(ns.scene("impact")(), "gap", [0.0, 0.1, 0.2])
+    >>> along["forcing_phase"].round(6)
+    array([0.761291, 0.929644, 1.103021])
+    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
+    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
+    >>> orbits = ns.family(belt, "belt_speed", [0.5, 1.0, 2.0])
+    >>> orbits["period"].round(6)
+    array([0.806889, 0.671239, 0.635589])
     """
+    check_case(case)
+    try:
+        if np.iscomplexobj(values):
+            raise TypeError
+        numbers = np.atleast_1d(np.asarray(values, dtype=float)).ravel().tolist()
+    except (TypeError, ValueError):
+        raise ValueError(f"values: got {values!r:.80}, expected numbers") from None
     scene = case.scene
     index_of(case, parameter)
-    cases = [case.with_value(parameter, value) for value in values]
+    cases = [case.with_value(parameter, value) for value in numbers]
     if not 1 <= len(cases) <= MOST_VALUES:
         raise ValueError(f"values: got {len(cases)}, expected 1 to {MOST_VALUES}")
-    name = registry.generic_method(scene, method)
-    count = number_of_functions(case, name, None) if functions is None else functions
-    number = check_order(registry.kernel(scene, name, count), order)
+    name = registry.generic_method(scene, FIRST if method is None else method)
+    wanted = plain(functions)
+    count = number_of_functions(case, name, None) if wanted is None else wanted
+    kernel = registry.kernel(scene, name, count)
+    number = check_order(kernel, ORDER if order is None else order)
     found = _Rows(parameter, name, number, count, tuple(cases))
     try:
         for row in found.each():
@@ -93,7 +117,9 @@ def family_case(
     except KeyboardInterrupt:
         if not found.done:
             raise
-        raise FamilyInterrupted(found.family) from None
+        count = len({row.value for row in found.done})
+        words = f"{count} of {len(cases)} values are done"
+        raise Interrupted(found.family, words) from None
     return found.family
 
 

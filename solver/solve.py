@@ -20,9 +20,11 @@ def solve_case(
     method: str = FIRST,
     order: int = 10,
     functions: int | None = None,
-    motion: str | None = None,
 ) -> Orbit:
     """Return the periodic orbit of a case, converged and admissible.
+
+    Of several motions each is tried, in their order, until an orbit is found; and if none is
+    stable, the order of phases on which a simulation settles.
 
     Parameters
     ----------
@@ -35,18 +37,13 @@ def solve_case(
     functions : int, optional
         Functions beside the harmonics at each switch, where the method counts them; 1, or 2
         where the velocity jumps, if not given.
-    motion : str, optional
-        One of the motions of the scene, where it has several; else each is tried, in their
-        order, until an orbit is found; and if none is stable, the order of phases on which a
-        simulation settles.
 
     Raises
     ------
     TypeError
         If `case` is not a `Case`.
     ValueError
-        If the scene has no kernel of the method or no such motion, or a number is out of its
-        range.
+        If the scene has no kernel of the method, or a number is out of its range.
     NoOrbit
         If no start led to a converged and admissible orbit; with what each led to.
 
@@ -59,8 +56,6 @@ def solve_case(
     """
     check_case(case)
     method = registry.generic_method(case.scene, method)
-    if motion is not None:
-        case = case.of_motion(motion)
     if functions is None:
         functions = number_of_functions(case, method, None)
 

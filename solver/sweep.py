@@ -2,23 +2,25 @@
 
 import time
 from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .results.sweep import Sweep, SweepRow
-from .scenes.case import Case
+from .scenes.case import Case, check_case
 from .scenes.methods import in_order
+from .scenes.parameter_error import plain
 from .search import check_order
 from .solve import number_of_functions, solve_case, with_motion
 
 
-def sweep_case(
+def sweep(
     case: Case,
     methods: str | Sequence[str] | None = None,
     orders: Iterable[int] = range(1, 21),
+    *,
     functions: int | None = None,
     progress: Callable[[SweepRow], None] = lambda row: None,
-    motion: str | None = None,
 ) -> Sweep:
     """Solve for each method and order, and compare with the exact orbit.
 
@@ -32,27 +34,42 @@ def sweep_case(
     orders : iterable of int
         The orders of every method.
     functions : int, optional
-        See `solve_case`.
-    progress : callable
+        Functions of ``"hb-ck"`` at each switch; see `solve`.
+    progress : callable, optional
         Called with each row when it is done.
-    motion : str, optional
-        One of several motions; without it, that which is found by `solve_case`.
 
     Raises
     ------
+    TypeError
+        If `case` is none.
     ValueError
-        If a method or an order is not one that can be computed; before anything is.
+        If a method or an order is not one that can be computed, or there are none; before
+        anything is.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> case = ns.scene("impact")()
+    >>> print(ns.sweep(case, methods=["hb", "ck-tau"], orders=[4, 8]))
+    method      N            T [s]      times       jump  estimate
+    hb          4      3.490658504   4.79e-02   4.47e-01   4.8e-02
+    hb          8      3.490658504   2.31e-02   2.87e-01   2.3e-02
+    c0-tau      4      3.490658504   8.84e-04   2.87e-02   8.8e-04
+    c0-tau      8      3.490658504   1.97e-09   7.97e-05   2.0e-09
     """
+    check_case(case)
+    wanted = [methods] if isinstance(methods, str) else methods
+    if wanted is not None:
+        wanted = _several("methods", wanted, "names of methods")
+    numbers = _several("orders", orders, "whole numbers")
     none: NoOrbit | None = None
     try:
-        case = with_motion(case) if motion is None else case.of_motion(motion)
+        case = with_motion(case)
     except NoOrbit as finding:
         none = finding
-    scene, numbers = case.scene, list(orders)
-    named = in_order(registry.methods(scene)) if methods is None else methods
-    wanted = (named,) if isinstance(named, str) else named
-    kernels = []
-    for method in (registry.generic_method(scene, name) for name in wanted):
+    scene, functions, kernels = case.scene, plain(functions), []
+    names = in_order(registry.methods(scene)) if wanted is None else wanted
+    for method in (registry.generic_method(scene, name) for name in names):
         count = number_of_functions(case, method, functions)
         kernels.append((registry.kernel(scene, method, count), method, count))
     if methods is None:
@@ -87,3 +104,11 @@ def _row(case: Case, method: str, order: int, functions: int | None) -> SweepRow
         orbit.method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,
         orbit.iterations, orbit.errors, orbit.estimate, seconds, further=orbit.further,
     )  # fmt: skip
+
+
+def _several(name: str, values: object, what: str) -> list[Any]:
+    """Return what is asked for as a list; a `ValueError` if it is no sequence, or empty."""
+    found = [*values] if isinstance(values, Iterable) and not isinstance(values, str) else []
+    if not found:
+        raise ValueError(f"{name}: got {values!r:.80}, expected {what} in a sequence")
+    return found

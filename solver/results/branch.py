@@ -96,11 +96,3 @@ class Branch(Family):
             "events": [asdict(event) for event in self.events],
             "why_it_ended": dict(zip(("start", "end"), self.why_it_ended, strict=True)),
         }
-
-
-class BranchInterrupted(KeyboardInterrupt):
-    """Ctrl-C while branches were followed; `done` has them as far as they were."""
-
-    def __init__(self, done: list[Branch]) -> None:
-        super().__init__(f"after {sum(map(len, done))} orbits")
-        self.done = done

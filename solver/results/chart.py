@@ -152,11 +152,3 @@ class Chart(Tabular):
             ends = (f"({a:.6g}, {b:.6g})" for a, b in curve.points[[0, -1]])
             lines.append(f"{curve.kind} of {curve.motion}: {' to '.join(ends)}")
         return "\n".join([*lines, f"({first}, {second})"] if self.curves else lines)
-
-
-class ChartInterrupted(KeyboardInterrupt):
-    """Ctrl-C while a map was computed; `done` has the first `rows` rows of it."""
-
-    def __init__(self, done: Chart, rows: int) -> None:
-        super().__init__(f"after {rows} rows")
-        self.done, self.rows = done, rows

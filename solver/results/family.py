@@ -268,11 +268,3 @@ class Family(OfRows):
         along = {"parameter": self.parameter, "count": len(self.rows)}
         rows = [row.as_dict() for row in self.rows]
         return self.head(how) | {"vary": along, "rows": rows}
-
-
-class FamilyInterrupted(KeyboardInterrupt):
-    """Ctrl-C while a family was computed; `done` is the family of the values before."""
-
-    def __init__(self, done: Family) -> None:
-        super().__init__(f"after {len(done)} values")
-        self.done = done

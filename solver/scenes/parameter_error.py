@@ -2,6 +2,7 @@
 
 import math
 import numbers
+from typing import Any
 
 
 class ParameterError(ValueError):
@@ -41,3 +42,8 @@ def whole(
         expected = f"a whole number from {least}{last}{of}"
         raise ValueError(f"{name}: got {value!r}, expected {expected}")
     return int(value)  # type: ignore[call-overload, no-any-return]
+
+
+def plain(number: Any) -> Any:
+    """Return a whole number of any type, such as NumPy's, as Python has it; else as it is."""
+    return int(number) if isinstance(number, numbers.Integral) else number

@@ -42,11 +42,7 @@ FAR, FAR_AT_FIRST = 2, 30
 
 
 def choose_order(
-    case: Case,
-    tol: float,
-    method: str = FIRST,
-    functions: int | None = None,
-    motion: str | None = None,
+    case: Case, tol: float, method: str = FIRST, functions: int | None = None
 ) -> Choice:
     """Return the orbit of the lowest order, of those tried, that meets a tolerance.
 
@@ -57,7 +53,7 @@ def choose_order(
     tol : float
         Largest estimated error of the times and of the period, as a part of the period, and
         of the displacement at switches, as a part of the largest.
-    method, functions, motion : str, int, str
+    method, functions : str, int
         See `solve_case`.
 
     Raises
@@ -71,7 +67,7 @@ def choose_order(
     """
     if not (is_number(tol) and 0 < tol < 1):
         raise ValueError(f"tol: got {tol!r}, expected a number between 0 and 1")
-    case = with_motion(case) if motion is None else case.of_motion(motion)
+    case = with_motion(case)
     name = registry.generic_method(case.scene, method)
     count = number_of_functions(case, name, None) if functions is None else functions
     kernel = registry.kernel(case.scene, name, count)

@@ -25,13 +25,16 @@ if TYPE_CHECKING:
     from .files.api import load, save
     from .files.file_errors import FileError, FileWarning
     from .kim_perkins import StickSlip
-    from .oscillators import branch, branches, exact, family, solve, sweep
+    from .oscillators import solve
     from .plots.plot import plot
     from .scene import find as scene
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
+    from .solver.branches import branch, branches
     from .solver.chart import chart
     from .solver.exact import ExactOrbit
+    from .solver.exact import exact_orbit as exact
+    from .solver.family import family
     from .solver.no_orbit import NoOrbit
     from .solver.results.branch import Branch
     from .solver.results.chart import Chart
@@ -50,6 +53,7 @@ if TYPE_CHECKING:
     from .solver.space.structure import names as structures
     from .solver.space.tolerance import ToleranceNotMet
     from .solver.strobe import basins, diagram
+    from .solver.sweep import sweep
     from .solver.trade.choice import NotCertified, TooSlow
 
     __version__: str
@@ -82,13 +86,13 @@ _HOMES = {
     "UnknownScene": ("solver.scenes.loaded", "UnknownScene"),
     "UnknownStructure": ("solver.space.structure", "UnknownStructure"),
     "basins": ("solver.strobe", "basins"),
-    "branch": ("oscillators", "branch"),
-    "branches": ("oscillators", "branches"),
+    "branch": ("solver.branches", "branch"),
+    "branches": ("solver.branches", "branches"),
     "chart": ("solver.chart", "chart"),
     "diagram": ("solver.strobe", "diagram"),
     "equations": ("codegen", "derive"),
-    "exact": ("oscillators", "exact"),
-    "family": ("oscillators", "family"),
+    "exact": ("solver.exact", "exact_orbit"),
+    "family": ("solver.family", "family"),
     "load": ("files.api", "load"),
     "modes": ("solver.space.modes", "modes"),
     "plot": ("plots.plot", "plot"),
@@ -97,7 +101,7 @@ _HOMES = {
     "simulate": ("solver.simulation.simulate", "simulate"),
     "solve": ("oscillators", "solve"),
     "structures": ("solver.space.structure", "names"),
-    "sweep": ("oscillators", "sweep"),
+    "sweep": ("solver.sweep", "sweep"),
 }
 
 __all__ = [

@@ -23,7 +23,7 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import arrays
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.results.branch import BranchInterrupted
+from nonsmooth.solver.results.interrupted import Interrupted
 
 SPRING = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.0)
 FLAGS = ("clearance", "--force", 0.3, "--damping", 0.1, "--gap", 1, "--frequency", 1)
@@ -429,7 +429,7 @@ def test_ctrl_c_keeps_the_orbits_that_were_found(monkeypatch) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(branch, "cut_where_violated", stopped)
-    with pytest.raises(BranchInterrupted) as caught:
+    with pytest.raises(Interrupted) as caught:
         ns.branch(SPRING, "frequency", 0.8, 1.3)
     (found,) = caught.value.done
     assert len(found) > 3
@@ -446,7 +446,7 @@ def test_ctrl_c_keeps_the_branches_that_were_followed(monkeypatch) -> None:
 
     monkeypatch.setattr(branches, "_result", result)
     stop = ns.scene("impact")(damping=0, restitution=0.8, gap=0.5, frequency=1.05)
-    with pytest.raises(BranchInterrupted) as caught:
+    with pytest.raises(Interrupted) as caught:
         ns.branches(stop, "frequency", 1.0, 1.12)
     (done,) = caught.value.done
     assert [event.kind for event in done.events] == ["flip", "flip"]

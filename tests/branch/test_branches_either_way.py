@@ -8,7 +8,6 @@ import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.solver.branch.walk import OUTSIDE, OWN, dips
 from nonsmooth.solver.branch.watch import rises
-from nonsmooth.solver.branches import branch_case
 from nonsmooth.solver.exact import exact_orbit
 
 F, Omega, m, k = sp.symbols("F Omega m k", positive=True)
@@ -53,7 +52,7 @@ def own_folder(monkeypatch, tmp_path) -> None:
 def both_ways(case, name: str, ends, starts):
     """Return what happens on the branch from each of two orbits: the same, and no end."""
     orbits = [exact_orbit(case.with_value(name, at)) for at in starts]
-    found = [branch_case(case, name, *ends, start=orbit) for orbit in orbits]
+    found = [ns.branch(case, name, *ends, start=orbit) for orbit in orbits]
     for branch in found:
         assert branch.why_it_ended == ("the end of the range",) * 2
     events = [sorted(branch.events, key=lambda event: event.parameter) for branch in found]

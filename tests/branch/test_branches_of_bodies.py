@@ -18,7 +18,6 @@ from nonsmooth.solver.branch.bodies.course import BodyCourse
 from nonsmooth.solver.branch.branch import Both, go, start_of
 from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.branch.rows import row_of
-from nonsmooth.solver.branches import branch_case
 from nonsmooth.solver.charts.curves import GAUGES, REAL, _followed
 from nonsmooth.solver.charts.plane import Plane
 from nonsmooth.solver.exact import exact_orbit
@@ -248,7 +247,7 @@ def test_sticking_is_one_event_from_both_sides() -> None:
         slipping[3].durations[:1],
         slipping[3].forcing_phase,
     )
-    down = branch_case(start.case, "frequency", 0.71, 0.76, start)
+    down = ns.branch(start.case, "frequency", 0.71, 0.76, start=start)
     (other,) = [q for q in down.events if q.kind == "sticking"]
     assert other.parameter == pytest.approx(event.parameter, abs=1e-12)
 

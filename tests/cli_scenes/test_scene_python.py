@@ -12,7 +12,6 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.solve import solve_case
-from nonsmooth.solver.sweep import sweep_case
 
 IMPACT = registry.load("impact")
 
@@ -93,7 +92,7 @@ def test_sweeps() -> None:
     with pytest.raises(ValueError, match="method"):
         ns.sweep(case, "c2", [4])
     assert (
-        sweep_case(case, "hb-ck", [3], 3).rows[0].errors
+        ns.sweep(case, "hb-ck", [3], functions=3).rows[0].errors
         == ns.solve(case, "hb-ck", 3, functions=3).errors
     )
 

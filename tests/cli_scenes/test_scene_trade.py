@@ -120,6 +120,11 @@ def test_no_orbit_beyond_the_budget_is_taken(case) -> None:
         assert len(slow) <= 1  # it is left at the first that takes too long
 
 
+def test_a_budget_is_spent_on_the_motion_that_is_asked_for() -> None:
+    with pytest.raises(ns.NoOrbit, match="sliding"):
+        ns.solve(ns.scene("dry-friction")(frequency=0.4), budget=1.0, motion="sliding")
+
+
 def test_a_budget_on_the_command_line(run) -> None:
     status, out, _ = run("solve", "impact", "--budget", "1s", "--json")
     document = json.loads(out)

@@ -9,7 +9,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.cli.commands import tex
-from nonsmooth.cli.scenes import tradeoff
+from nonsmooth.solver.trade import measured
 from nonsmooth.solver.trade.measured import Trade
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the modes are POSIX")
@@ -59,7 +59,7 @@ def without_work(monkeypatch) -> None:
             lambda figure, path, **options: Path(path).write_bytes(b"a picture"),
         )
     monkeypatch.setattr("nonsmooth.solver.precision.digits.measure", lambda *arguments: [])
-    monkeypatch.setattr(tradeoff, "trade", lambda case, _: Trade(case, ()))
+    monkeypatch.setattr(measured, "trade", lambda case, _: Trade(case, ()))
 
 
 @pytest.mark.usefixtures("without_work")

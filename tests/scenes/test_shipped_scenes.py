@@ -12,7 +12,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.scenes.classes import classes
 from nonsmooth.solver.solve import solve_case
-from nonsmooth.solver.sweep import sweep_case
+from nonsmooth.solver.sweep import sweep
 
 FRICTION = registry.load("dry-friction")
 
@@ -65,14 +65,14 @@ def test_what_a_motion_is_named_by():
     assert orbit.case.scene.motion == "two-stops"
     assert solve_case(FRICTION()).case.scene.motion == "sliding"
     assert exact_orbit(low).case.scene.label == "dry-friction, two-stops"
-    row = sweep_case(low, "ck-tau", [6], motion="two-stops").rows[0]
+    row = sweep(low.of_motion("two-stops"), "ck-tau", [6]).rows[0]
     assert row.forcing_phase == pytest.approx(orbit.forcing_phase)
     with pytest.raises(NoOrbit, match="where slide ends, not true that the load exceeds"):
-        solve_case(low, motion="sliding")
+        solve_case(low.of_motion("sliding"))
     with pytest.raises(ValueError, match=r"motion: got 'slidin', .* did you mean sliding"):
-        solve_case(low, motion="slidin")
+        solve_case(low.of_motion("slidin"))
     with pytest.raises(ValueError, match="motion: got 'sliding', but impact has only one"):
-        solve_case(registry.load("impact")(), motion="sliding")
+        solve_case(registry.load("impact")().of_motion("sliding"))
     with pytest.raises(
         ValueError, match="motion: got none, expected one of sliding, two-stops"
     ):
@@ -115,7 +115,7 @@ def test_amplitude_of_sliding_is_that_of_den_hartog(damping):
         v = 1 / math.hypot(1 - frequency**2, damping * frequency)
         expected = -g * mu + math.sqrt(v**2 - (big_h * mu) ** 2)
         case = FRICTION(damping=damping, frequency=frequency, mu_s=mu, mu_k=mu)
-        found = solve_case(case, order=14, motion="sliding").phases[0].displacement
+        found = solve_case(case.of_motion("sliding"), order=14).phases[0].displacement
         assert found == pytest.approx(expected, rel=1e-11), frequency
 
 

@@ -11,7 +11,7 @@ import pytest
 from known import NAMES, attached
 
 import nonsmooth as ns
-from nonsmooth.cli.space.family import structures_of, vary_of
+from nonsmooth.cli.space.modes import structures_of, vary_of
 from nonsmooth.cli.values import values_of
 from nonsmooth.plots import modes as pictures
 from nonsmooth.solver.space.convergence import Line, convergence

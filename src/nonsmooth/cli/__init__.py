@@ -21,7 +21,6 @@ from .about import no_such_option
 from .commands.equations import equations
 from .commands.generate import generate
 from .commands.listing import modes, scenes
-from .commands.paper import report, roots
 from .commands.version import show_version
 from .named import SCENES, STRUCTURES, NamedCommand
 from .problems import Problem, print_warnings, say
@@ -106,6 +105,7 @@ VERBS = {
     "simulate": "Simulate from a given state; bifurcation diagrams, basins.",
     "digits": "Measure how many digits float64 keeps.",
     "tradeoff": "Measure time against error of each method.",
+    "report": "Write a page that recomputes the paper, or about a scene.",
 }
 for name, summary in VERBS.items():
     kinds = (SCENES, STRUCTURES) if name == "sweep" else (SCENES,)
@@ -113,7 +113,9 @@ for name, summary in VERBS.items():
 cli.add_command(
     NamedCommand("stability", hidden=True, help="The old name of `nonsmooth digits`.")
 )
-for command in (scenes, generate, equations, roots, report, modes):
+help_of_roots = "List all real solutions of the paper's C1 series."
+cli.add_command(NamedCommand("roots", kinds=(), help=help_of_roots))
+for command in (scenes, generate, equations, modes):
     cli.add_command(command)
 
 

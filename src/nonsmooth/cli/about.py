@@ -12,12 +12,15 @@ from click.shell_completion import CompletionItem
 from ..extras import require
 from ..nearest import nearest
 from .case_files import read_case, tables_of
-from .output import Destination, check_target
+from .output import DATA, PICTURES, Destination, check_target
 from .problems import Problem
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
     from nonsmooth.solver.space.structure import Structure
+
+#: What a file is given as.
+PATH = click.Path(path_type=Path)
 
 #: Before what flags give of a scene or a structure, among the arguments of a command.
 PREFIX = "given_"
@@ -28,18 +31,9 @@ About = TypeVar("About", "LoadedScene", "Structure")
 
 @dataclass(frozen=True)
 class Given(Generic[About]):
-    """What the command line gives of a scene or a structure.
+    """What the command line gives of a scene or a structure: a case file, flags by parameter.
 
-    Parameters
-    ----------
-    about : scene or structure
-        Which it is.
-    said : str
-        What the user called it; empty where nothing is named.
-    file : Path or None
-        Its case file.
-    flags : mapping
-        What its flags give, by the names of parameters.
+    `said` is what the user called it; empty where nothing is named.
     """
 
     about: About
@@ -66,106 +60,85 @@ class Given(Generic[About]):
         return "" if self.file is None else f"{self.file}: "
 
 
-def given(
-    about: Any, file: Path | None, arguments: Mapping[str, Any], said: str = ""
-) -> Given[Any]:
-    """Return what the arguments of a command give of a scene or a structure."""
-    flags = {
-        name.removeprefix(PREFIX): value
-        for name, value in arguments.items()
-        if name.startswith(PREFIX) and value is not None
-    }
-    return Given(about, said, file, flags)
-
-
-@dataclass(frozen=True)
-class Output:
-    """What ``-o`` writes: a file that ends in one of the suffixes, else a folder.
-
-    A command that makes a folder has no ``--json``, and makes it always.
-    """
-
-    help: str
-    suffixes: tuple[str, ...] = ()
-
-    def options(self) -> list[click.Parameter]:
-        """Return ``--json`` and ``-o``."""
-        file = bool(self.suffixes)
-        json = click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document.")
-        output = click.Option(
-            ["-o", "--output"], type=click.Path(path_type=Path), required=not file,
-            help=self.help,
-        )  # fmt: skip
-        return [json, output] if file else [output]
-
-
 @dataclass(frozen=True)
 class Verb(Generic[About]):
     """What a command does with the scene or structure that is named.
 
     Parameters
     ----------
-    module : str
-        Which has ``run(given, to, **options)``: it takes what is given of the scene or
-        structure and where the result goes, and returns the exit status.
-    options : callable
-        Returns the options of a scene or structure that stand before ``--case``.
-    output : Output
-        What is written.
+    run : str
+        A function and its module, which is imported to run.  It takes what is given of the
+        scene or structure, where the result goes, and options; it returns the exit status.
     help, epilog : str
         As click has them, with places for words.
+    options : callable
+        Returns the options of a scene or structure that stand before ``--case``.
+    file : str
+        What ``-o`` writes, with the suffixes of data; a picture as well.
+    folder : str
+        What ``-o`` makes, always: there is no ``--json`` then.
     needs : tuple
         Libraries of extras without which it does nothing; see `require`.
     """
 
-    module: str
-    options: Callable[[About], list[click.Parameter]]
-    output: Output
+    run: str
     help: str
     epilog: str
+    options: Callable[[About], list[click.Parameter]] = lambda about: []
+    file: str = ""
+    folder: str = ""
     needs: tuple[tuple[str, ...], ...] = ()
+
+    @property
+    def suffixes(self) -> tuple[str, ...]:
+        """The endings of a file."""
+        return (*(each for each in DATA if each in self.file), *PICTURES)
+
+    @property
+    def written(self) -> list[click.Parameter]:
+        """The options ``--json`` and ``-o``."""
+        json = option("--json json_", None, "Print one JSON document.")
+        words = self.folder or f"Write {self.file}; or a picture {', '.join(PICTURES)}."
+        output = option("-o --output", PATH, words, required=bool(self.folder))
+        if self.folder:
+            return [output]
+        return [json, output] if self.file else [json]
 
 
 class CommandAbout(click.Command):
-    """A command about one scene or structure.
+    """What a verb does with one scene or structure, which the user called `said`, as a command.
 
-    Parameters
-    ----------
-    about : scene or structure
-        What it is about.
-    said : str
-        What the user called it.
-    verb : Verb
-        What is done with it; the module is imported when it runs.
-    parameters : list of click.Parameter
-        Those of the scene or structure, and what stands below them.
-    words : mapping
-        What stands in help and epilog, beside the name, the title and what it was called.
+    `parameters` are those of the scene or structure, and what stands below them; `words` are in
+    help and epilog, beside the name, the title and what it was called.
     """
 
     def __init__(
-        self, about: "LoadedScene | Structure", said: str, verb: Verb[Any],
+        self, about: Any, said: str, verb: Verb[Any],
         parameters: Iterable[click.Parameter], words: Mapping[str, object],
     ) -> None:  # fmt: skip
         self.about, parameters = about, [*parameters]
         self.flags = [q.opts[0] for q in parameters if (q.name or "").startswith(PREFIX)]
-        table = tables_of(about.name)[0]
-        file = click.Option(
-            ["--case"], type=click.Path(path_type=Path),
-            help=f"Case file with a table [{table}]; flags override it.",
-        )  # fmt: skip
+        words_of_case = (
+            f"Case file with a table [{tables_of(about.name)[0]}]; flags override it."
+        )
+        file = option("--case", PATH, words_of_case)
 
         def callback(
-            case: Path | None, output: Path | None, json_: bool = False, **arguments: Any
+            case: Path | None, output: Path | None = None, json_: bool = False, **arguments: Any
         ) -> int:
-            if verb.output.suffixes:
-                check_target(output, verb.output.suffixes)
+            if verb.file:
+                check_target(output, verb.suffixes)
             for library in verb.needs:
                 require(*library)
             own = {q: arguments[q] for q in arguments if not q.startswith(PREFIX)}
-            run = import_module(verb.module, __package__).run
-            status: int = run(
-                given(about, case, arguments, said), Destination(json_, output), **own
+            flags = {
+                name.removeprefix(PREFIX): value
+                for name, value in arguments.items()
+                if name.startswith(PREFIX) and value is not None
+            }
+            module, _, name = verb.run.rpartition(".")
+            status: int = getattr(import_module(module, __package__), name)(
+                Given(about, said, case, flags), Destination(json_, output), **own
             )
             return status
 
@@ -174,7 +147,7 @@ class CommandAbout(click.Command):
         super().__init__(
             name=about.name,
             callback=callback,
-            params=[*verb.options(about), file, *parameters, *verb.output.options()],
+            params=[*verb.options(about), file, *parameters, *verb.written],
             help=verb.help.format(**words),
             epilog=_without_gaps(verb.epilog.format(**words)),
         )
@@ -184,6 +157,14 @@ def _without_gaps(examples: str) -> str:
     """Return examples without the spaces that are left where nothing is named."""
     lines = examples.replace("  --", " --").split("\n")
     return "\n".join(line.rstrip() for line in lines)
+
+
+def option(
+    names: str, type_: Any, help_: str, kind: type[click.Option] = click.Option, **more: Any
+) -> click.Option:
+    """Return an option, by its flag and perhaps a name behind it; without a type, a switch."""
+    how = {"is_flag": True} if type_ is None else {"type": type_}
+    return kind(names.split(), help=help_, **how, **more)
 
 
 def flag(name: str) -> str:

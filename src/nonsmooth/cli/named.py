@@ -78,16 +78,9 @@ def structure_named(name: str) -> "Structure":
 class Kind:
     """What can be named: scenes, or structures.
 
-    Parameters
-    ----------
-    package : str
-        Whose module ``commands`` has ``command(verb, about, said)``, which makes the command.
-    word : str
-        What stands for a name in the usage line.
-    names : callable
-        Returns the names that come with the program.
-    named : callable
-        Returns what a text names; a `UsageError` or `Problem` if there is no such thing.
+    The module ``commands`` of the package has ``command(verb, about, said)``, which makes the
+    command; `word` stands for a name in the usage line.  `named` returns what a text names; a
+    `UsageError` or `Problem` if there is no such thing.
     """
 
     package: str
@@ -103,22 +96,16 @@ STRUCTURES = Kind("space", "[STRUCTURE]", structure_names, structure_named)
 class NamedCommand(click.Command):
     """A command that becomes that of the scene or structure that its arguments name.
 
-    Parameters
-    ----------
-    kinds : tuple of Kind
-        What its first argument may name.
-    default : str or None
-        What is meant where nothing is named; without it, this command itself.
-    own : bool
-        Whether this is itself the command of the default, with more than others have.
+    `kinds` are what its first argument may name, if anything; `default` is meant where nothing
+    is named, or without one this command itself.
     """
 
     def __init__(
         self, *arguments: Any, kinds: tuple[Kind, ...] = (SCENES,),
-        default: str | None = DEFAULT, own: bool = False, **options: Any,
+        default: str | None = DEFAULT, **options: Any,
     ) -> None:  # fmt: skip
         super().__init__(*arguments, **options)
-        self.kinds, self.default, self.own = kinds, default, own
+        self.kinds, self.default = kinds, default
 
     def chosen(self, arguments: list[str]) -> tuple[click.Command, str, list[str]]:
         """Return the command that arguments mean, what it is about as named, and the rest.
@@ -130,14 +117,14 @@ class NamedCommand(click.Command):
         UsageError, Problem
             If there is no such scene or structure, or its file is not as it must be.
         """
-        said, rest = said_first(arguments, lambda: {*self.names()} - {self.default})
+        named = said_first(arguments, lambda: {*self.names()} - {self.default})
+        said, rest = named if self.kinds else (None, arguments)
         name = self.default if said is None else said
-        if name is None or (said is None and self.own):
+        if name is None:
             return self, "", rest
         dashed = name.replace("_", "-")
-        if self.own and dashed == self.default:
-            return self, dashed, rest
-        kind = next((q for q in self.kinds if dashed in q.names()), self.kinds[0])
+        kinds = self.kinds or (SCENES,)
+        kind = next((q for q in kinds if dashed in q.names()), kinds[0])
         module = import_module(f".{kind.package}.commands", __package__)
         command: click.Command = module.command(self.name, kind.named(name), said or "")
         return command, said or "", rest
@@ -148,9 +135,7 @@ class NamedCommand(click.Command):
 
     def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
         """Return what the usage line has behind the name of the command."""
-        pieces = super().collect_usage_pieces(ctx)
-        named = (ctx.info_name or "").endswith(f" {self.default}")
-        return pieces if named else [self.kinds[0].word, *pieces]
+        return [*(kind.word for kind in self.kinds[:1]), *super().collect_usage_pieces(ctx)]
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
         """Complete names beside options."""

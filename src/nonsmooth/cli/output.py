@@ -117,14 +117,9 @@ def drawn_by(name: str, *arguments: object) -> "Callable[[], Figure]":
 
 @dataclass(frozen=True)
 class Destination:
-    """Where the result of a command goes.
+    """Where the result of a command goes: as JSON or for a reader to stdout, and to a file.
 
-    Parameters
-    ----------
-    json : bool
-        Whether stdout has its document, and not what is written for a reader.
-    file : Path or None
-        What is written as well; its suffix is one that `check_target` let pass.
+    The suffix of the file is one that `check_target` let pass.
     """
 
     json: bool
@@ -145,16 +140,8 @@ class Destination:
     ) -> None:  # fmt: skip
         """Write a result, if a file is named: its document, its data, else a picture of it.
 
-        Parameters
-        ----------
-        text : str
-            The document.
-        figure : callable
-            What draws it.
-        data : orbits, sweep, family or modes
-            What `nonsmooth.save` writes as .csv and .nc.
-        rows : callable, optional
-            What returns the rows of the .csv of a result that `nonsmooth.save` does not take.
+        `nonsmooth.save` writes the data as .csv and .nc; of a result that it does not take,
+        `rows` returns those of the .csv.
         """
         if self.file is None:
             return

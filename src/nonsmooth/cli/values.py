@@ -9,6 +9,10 @@ from typing import Generic, TypeVar
 
 from .problems import Problem
 
+#: The orders of a sweep that names none, and how several are named.
+ORDERS = "1-20"
+SEVERAL = "Orders N: numbers and ranges, as 4,8-12 or 10,20,...,80"
+
 #: Most figures of a whole number.
 MOST_FIGURES = 18
 
@@ -117,26 +121,10 @@ def parse_vary(
     text: str, log: bool, names: Collection[str], most: int | None, example: str,
     number: Callable[[str], Number], option: str = "--vary",
 ) -> Vary[Number]:  # fmt: skip
-    """Return what ``--vary`` asks for.
+    """Return what ``--vary``, or another option, asks for, of the parameters with these names.
 
-    A `Problem` is raised if `text` is not of this form, or its numbers make no range.
-
-    Parameters
-    ----------
-    text : str
-        As typed.
-    log : bool
-        Whether the values are spaced by a constant factor.
-    names : collection of str
-        The parameters that there are.
-    most : int or None
-        Most points; without it none are given, and `Vary.count` is 0.
-    example : str
-        One that is right, for the message.
-    number : callable
-        What makes an end a number.
-    option : str
-        What it is called in messages.
+    At `most` so many points; without that none are given, and `Vary.count` is 0.  A `Problem`,
+    with an example, is raised if `text` is not of this form, or its numbers make no range.
 
     Examples
     --------

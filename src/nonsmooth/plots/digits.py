@@ -51,18 +51,7 @@ def digits_figure(case: Case, found: "list[Kept]") -> Figure:
 def _draw_map(
     axes: Any, digits: Any, words: Any, columns: Sequence[object], rows: Sequence[str]
 ) -> Any:
-    """Draw a map and return it, for its scale.
-
-    Parameters
-    ----------
-    axes : matplotlib Axes
-    digits : ndarray, shape (rows, columns)
-        Not a number where there are none: the cell is grey.
-    words : ndarray of str
-        What stands in each cell.
-    columns, rows : sequence
-        What stands beside them.
-    """
+    """Draw a map, with words in its cells, and return it; grey are cells without a number."""
     axes.set_facecolor("0.85")
     image = axes.pcolormesh(digits, cmap=COLOURS, vmin=SCALE[0], vmax=SCALE[1])
     for (i, k), word in np.ndenumerate(words):

@@ -55,11 +55,6 @@ def draw(
 
     The exact one has the scale and the sign of the other; what is left and right of the
     attachment is not joined where it jumps.
-
-    Raises
-    ------
-    ValueError
-        If there is no such quantity or mode.
     """
     check_quantity(quantity, QUANTITIES)
     _check_number(modes, number)
@@ -185,20 +180,9 @@ def _is_same(line: Any, x: Any, values: Any) -> bool:
 def draw_convergence(
     study: "Convergence", ax: Any = None, quantity: str = "eigenvalue_error", **style: Any
 ) -> Any:
-    """Draw one error of a study against the unknowns, a line an expansion; return the axes.
+    """Draw one of `ERRORS` of a study against the unknowns, a line an expansion.
 
-    A `ValueError` is raised if `quantity` is none of these.
-
-    Parameters
-    ----------
-    study : Convergence
-        What is drawn.
-    ax : matplotlib Axes, optional
-        Where; new ones, with a legend, without it.
-    quantity : {"eigenvalue_error", "discontinuous"}
-        The field of `ConvergenceRow`.
-    **style
-        Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+    Returns the axes; new ones have a legend.
     """
     check_quantity(quantity, ERRORS)
     axes = axes_or_new(ax)

@@ -1,4 +1,4 @@
-"""``nonsmooth branch SCENE --vary``: an orbit followed along a parameter."""
+"""``nonsmooth branch SCENE`` and ``map``: orbits followed along a parameter, and over two."""
 
 from pathlib import Path
 from typing import Any
@@ -8,10 +8,13 @@ import numpy as np
 from nonsmooth.files import documents
 from nonsmooth.files.api import load
 from nonsmooth.files.file_errors import FileError
-from nonsmooth.solver.branches import Expansion, branch_case, every_branch
+from nonsmooth.report.workers import pool
+from nonsmooth.solver import chart as maps
+from nonsmooth.solver.branches import branch, branches
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
-from nonsmooth.solver.results.branch import Branch, BranchInterrupted
+from nonsmooth.solver.results.branch import Branch
+from nonsmooth.solver.results.interrupted import Interrupted
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.results.strobe import Diagram
 from nonsmooth.solver.scenes.case import Case
@@ -21,9 +24,10 @@ from nonsmooth.solver.strobe import diagram
 from ..about import Given
 from ..output import PICTURES, Destination, drawn_by
 from ..problems import Problem, as_problems
-from ..progress import busy
+from ..progress import busy, progress
 from ..values import Vary
 from . import tables
+from .captions import caption
 from .case import case_from, vary_from
 from .wanted import tell
 
@@ -45,33 +49,28 @@ def run(
     if attractors and suffix not in PICTURES:
         raise Problem("--attractors: expected beside --output and a picture")
     case, start = _start(given, from_orbit)
-    interrupted = False
-    with as_problems():
-        how = Expansion.checked(case, **expansion)
+    interrupt = None
     what = case, along.parameter, along.first, along.last
     try:
         with as_problems({"start": "from-orbit"}), busy(f"following {case.scene.name}") as say:
-
-            def seen(value: float) -> None:
-                say(f"{along.flag} = {value:g}")
-
+            expansion["progress"] = lambda value: say(f"{along.flag} = {value:g}")
             if every:
-                found = every_branch(*what, seen, how)
+                found = branches(*what, **expansion)
             else:
-                found = [branch_case(*what, start, seen, how)]
+                found = [branch(*what, start=start, **expansion)]
     except NoOrbit as finding:
         tell(finding)
         return 1
-    except BranchInterrupted as interrupt:
-        interrupted, found = True, interrupt.done
+    except Interrupted as error:
+        interrupt, found = error, error.done
     whole = {"branches": [q.as_dict() for q in found]} if every else found[0].as_dict()
-    used = [how.method] if how.order else []
+    used = [found[0].method] if found[0].order else []
     text = documents.text(case, {"scene": case.scene.name} | whole, used)
     to.show(text, tables.branches(case, found))
-    below = _diagrams(case, found[0], along) if attractors and not interrupted else ()
+    below = _diagrams(case, found[0], along) if attractors and not interrupt else ()
     to.write(text, drawn_by("families.branch_figure", found, below), found[0])
-    if interrupted:
-        raise Problem(f"interrupted: {sum(map(len, found))} orbits are found", 130)
+    if interrupt:
+        raise Problem(f"interrupted: {interrupt}", 130)
     return 0
 
 
@@ -107,3 +106,39 @@ def _diagrams(case: Case, found: Branch, along: Vary[float]) -> tuple[Diagram, .
     ways = (values.tolist() for values in (up, up[::-1]))
     with busy(f"simulating {case.scene.name}"):
         return tuple(diagram(found.case, along.parameter, values) for values in ways)
+
+
+def chart(
+    given: Given[LoadedScene], to: Destination, vary: tuple[str, ...], cycles: int | None = None
+) -> int:
+    """Compute the map, show it, write it; the exit status."""
+    first, second = _axes(given, vary)
+    axes = {each.parameter: (each.first, each.last, each.count) for each in (first, second)}
+    more = {} if cycles is None else {"cycles": cycles}
+    case = case_from(given, **more)
+    interrupt = None
+    tasks = maps.number_of_tasks(first.count, second.count)
+    with as_problems(), progress(tasks, "map") as advance, pool() as executor:
+        try:
+            result = maps.chart(case, axes, executor, advance)
+        except Interrupted as error:
+            interrupt, result = error, error.done
+    text = documents.text(case, result.as_dict(), ())
+    to.show(text, (caption(case), str(result)))
+    to.write(text, drawn_by("charts.chart_figure", result), result)
+    if interrupt:
+        raise Problem(f"interrupted: {interrupt}", 130)
+    return 0
+
+
+def _axes(given: Given[LoadedScene], texts: tuple[str, ...]) -> list[Vary[float]]:
+    """Return the two parameters that vary.
+
+    A `Problem` is raised if there are not two, or one is given by a flag as well.
+    """
+    found = [vary_from(given, text, maps.MOST_VALUES, ":40") for text in texts]
+    if len({each.parameter for each in found}) != 2 or len(found) != 2:
+        raise Problem(f"--vary: got {' and '.join(texts)}, expected two parameters")
+    for each in found:
+        given.check_varies(each.parameter)
+    return found

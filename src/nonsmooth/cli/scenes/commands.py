@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 import click
 from click.shell_completion import CompletionItem
 
-from ..about import PREFIX, CommandAbout, Output, Verb, completed, flag
-from ..named import scene_names
-from ..output import DATA, FOR_REPORTS, PICTURES
+from ..about import PREFIX, CommandAbout, Verb, completed, flag, option
+from ..commands import paper
+from ..named import DEFAULT, scene_names
+from ..output import FOR_REPORTS
 from ..problems import Verbose
 from . import options
 
@@ -16,12 +17,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 
 SOLVE = Verb(
-    ".scenes.solve",
-    options.of_solve,
-    Output(
-        "Write the orbit: .json, .nc, its motion .csv; or a picture .png, .svg, .pdf.",
-        (*DATA, *PICTURES),
-    ),
+    ".scenes.solve.run",
     """Compute the periodic orbit of {name} by one method, or by each.
 
 {title}. With --tol: the lowest order of the method ({best} unless --method names another)
@@ -33,14 +29,12 @@ Examples:
   nonsmooth solve {said} --method {best} --tol 1e-9
   nonsmooth solve {said} {flag} {value:g} -o orbit.png
 """,
+    options=options.of_solve,
+    file="the orbit: .json, .nc, its motion .csv",
 )
 
 SWEEP = Verb(
-    ".scenes.sweep",
-    options.of_sweep,
-    Output(
-        "Write the rows: .csv, .json, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
-    ),
+    ".scenes.sweep.run",
     """Compute the orbit of {name} for many orders and compare it with the exact one.
 
 {title}. With --vary: the orbit at given values of a parameter.""",
@@ -51,14 +45,12 @@ Examples:
   nonsmooth sweep {said} --orders 2-16 -o convergence.png
   nonsmooth sweep {said} --vary {vary}:40 -o along.png
 """,
+    options=options.of_sweep,
+    file="the rows: .csv, .json, .nc",
 )
 
 BRANCH = Verb(
-    ".scenes.branch",
-    options.of_branch,
-    Output(
-        "Write the branch: .csv, .json, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
-    ),
+    ".scenes.branch.run",
     """Follow an orbit of {name} along a parameter, stable or not, through folds.
 
 {title}. The orbits are exact. Where a phase begins or ends, the branch goes on with the new
@@ -70,14 +62,12 @@ Examples:
   nonsmooth branch {said} --vary {vary} -o branch.svg
   nonsmooth branch {said} --vary {vary} --all --json
 """,
+    options=options.of_branch,
+    file="the branch: .csv, .json, .nc",
 )
 
 MAP = Verb(
-    ".scenes.map",
-    options.of_map,
-    Output(
-        "Write the map: .csv, .json, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
-    ),
+    ".scenes.branch.chart",
     """Map the motions of {name} over two parameters, and the curves between them.
 
 {title}. Each point has an exact orbit, stable or not, or is empty if none is found. Curves of
@@ -88,15 +78,12 @@ Examples:
   nonsmooth map {said} --json -o map.png \\
     --vary {vary}:60 --vary {other}:40
 """,
+    options=options.of_map,
+    file="the map: .csv, .json, .nc",
 )
 
 SIMULATE = Verb(
-    ".scenes.simulate",
-    options.of_simulate,
-    Output(
-        "Write the motion: .json, .csv; or a picture .png, .svg, .pdf.",
-        (".json", ".csv", *PICTURES),
-    ),
+    ".scenes.simulate.run",
     """Simulate {name} from a given state, from event to event.
 
 {title}. Each phase is the exact solution of its equation, and no event is stepped over. The
@@ -107,6 +94,8 @@ Examples:
   nonsmooth simulate {said} --state 0,0.1 -o transient.png
   nonsmooth simulate {said} {flag} {value:g} --json
 {of_many}""",
+    options=options.of_simulate,
+    file="the motion: .json, .csv",
 )
 
 #: Further examples of simulations, of scenes that something forces.
@@ -115,9 +104,7 @@ OF_MANY = """  nonsmooth simulate {said} --vary {vary}:200 -o diagram.png
 """
 
 DIGITS = Verb(
-    ".scenes.digits",
-    options.of_digits,
-    Output("Write the digits: .json, or a picture .png, .svg, .pdf.", (".json", *PICTURES)),
+    ".scenes.digits.run",
     """Measure how many digits float64 keeps of the times of orbits of {name}.
 
 {title}. At the given parameters and at extreme ones that the scene names, the exact equations
@@ -128,13 +115,13 @@ Examples:
   nonsmooth digits {said}
   nonsmooth digits {said} --methods {best} --orders 5,10,20 -o digits.png
 """,
+    options=options.of_digits,
+    file="the digits: .json",
     needs=(("flint", "precise", "digits", "python-flint"),),
 )
 
 TRADEOFF = Verb(
-    ".scenes.tradeoff",
-    options.of_none,
-    Output("Write the points: .json, or a picture .png, .svg, .pdf.", (".json", *PICTURES)),
+    ".scenes.sweep.trade",
     """Measure time against error: each method of {name}, and its exact orbit.
 
 {title}. A time is that of a whole solve with compiled kernels: search, checks and errors. A
@@ -144,12 +131,11 @@ Examples:
   nonsmooth tradeoff {said}
   nonsmooth tradeoff {said} {flag} {value:g} -o tradeoff.png
 """,
+    file="the points: .json",
 )
 
 REPORT = Verb(
-    ".scenes.report",
-    options.of_none,
-    Output("Folder to make: index.html, and every figure as .svg and .pdf."),
+    ".scenes.report.run",
     """Write a page on {name}: what it is, its orbit, and how fast each expansion finds it.
 
 {title}. The page needs no network.""",
@@ -158,6 +144,7 @@ Examples:
   nonsmooth report {said} -o {name}
   nonsmooth report {said} {flag} {value:g} -o {name}
 """,
+    folder="Folder to make: index.html, and every figure as .svg and .pdf.",
     needs=FOR_REPORTS,
 )
 
@@ -173,6 +160,9 @@ VERBS = {
     "tradeoff": TRADEOFF,
     "report": REPORT,
 }
+
+#: What the default scene has in their place, or alone.
+OF_DEFAULT = {"report": paper.REPORT, "roots": paper.ROOTS}
 
 
 #: What the help of a command without a scene says of others.
@@ -208,11 +198,15 @@ def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
     }
     words["of_many"] = OF_MANY.format(said=said, **words) if scene.frequency else ""
     parameters = [
-        *(click.Option([flag(q.name), PREFIX + q.name], type=float, help=_help(q))
-          for q in scene.parameters),
+        *(
+            option(f"{flag(q.name)} {PREFIX}{q.name}", float, _help(q))
+            for q in scene.parameters
+        ),
         Verbose(),
-    ]  # fmt: skip
-    about = VERBS[verb]
+    ]
+    about = (VERBS | OF_DEFAULT if scene.name == DEFAULT else VERBS)[verb]
+    if verb not in VERBS:
+        return CommandAbout(scene, said, about, parameters, words)
     if not said:
         about = replace(about, help=about.help + OF_OTHERS.format(verb=verb))
     return CommandOfScene(scene, said, about, parameters, words)

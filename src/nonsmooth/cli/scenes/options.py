@@ -1,26 +1,25 @@
 """The options of commands about a scene, beside its parameters."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from nonsmooth.solver.kernels.registry import methods
 from nonsmooth.solver.scenes.methods import in_order, shown
 
-from ..about import PREFIX, flag
+from ..about import PREFIX, flag, option
 from ..aliases import Aliased, Once, OneOrder
+from ..values import ORDERS, SEVERAL
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 
-#: N of a command about one order, and the orders of a sweep, where none are named.
-ORDER, ORDERS = 10, "1-20"
+#: N of a command about one order, where none is named.
+ORDER = 10
 
 #: Periods that a diagram leaves out.
 TRANSIENT = 200
-
-FUNCTIONS = "Functions of hb-ck at each switch, 1 to 3.  [default: 1; 2 where x' jumps]"
 
 
 def method_names(scene: "LoadedScene") -> list[str]:
@@ -33,14 +32,19 @@ def range_of(q: "Parameter") -> str:
     return f"{flag(q.name)[2:]}={q.default / 2:g}:{q.default or 1:g}"
 
 
+def _functions() -> click.Option:
+    words = "Functions of hb-ck at each switch, 1 to 3.  [default: 1; 2 where x' jumps]"
+    return option("--functions", int, words, metavar="K")
+
+
 def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options that say which motion of a scene is meant."""
     found: list[click.Parameter] = []
     if scene.motions:
         words = f"{', '.join(scene.motions)}; without it, the one that occurs."
-        found.append(click.Option(["--motion", f"{PREFIX}motion"], help=words))
+        found.append(option(f"--motion {PREFIX}motion", str, words))
     words = "The sequence of phases: names joined by commas, a minus before a mirror image."
-    found.append(click.Option(["--phases", f"{PREFIX}phases"], metavar="NAMES", help=words))
+    found.append(option(f"--phases {PREFIX}phases", str, words, metavar="NAMES"))
     if scene.frequency is not None:
         odd = ", an odd number" if scene.half_period else ""
         found.append(_cycles(f"{PREFIX}cycles", odd))
@@ -49,152 +53,113 @@ def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
 
 def _cycles(name: str, more: str = "") -> click.Option:
     words = f"Periods of the forcing in one period of the motion{more}.  [default: 1]"
-    return click.Option(["--cycles", name], type=int, metavar="n", help=words)
+    return option(f"--cycles {name}", int, words, metavar="n")
 
 
 def of_solve(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth solve``."""
-    names = ", ".join(method_names(scene))
+    names = f"{', '.join(method_names(scene))}; without it, all."
+    order = f"N: number of harmonics, or degree of polynomials.  [default: {ORDER}]"
+    tol = "Choose N: the lowest whose estimated relative errors are within this."
+    budget = "Choose the most accurate orbit within this time, like 200us, 1ms, 2s."
     return [
-        Aliased(["--method"], alias="--methods", help=f"{names}; without it, all."),
-        Aliased(
-            ["--order"], alias="--orders", type=OneOrder(),
-            help=f"N: number of harmonics, or degree of polynomials.  [default: {ORDER}]",
-        ),
-        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        option("--method", str, names, Aliased, alias="--methods"),
+        option("--order", OneOrder(), order, Aliased, alias="--orders"),
+        _functions(),
         *of_motion(scene),
-        click.Option(
-            ["--tol"], type=float,
-            help="Choose N: the lowest whose estimated relative errors are within this.",
-        ),
-        click.Option(
-            ["--budget"],
-            help="Choose the most accurate orbit within this time, like 200us, 1ms, 2s.",
-        ),
-        click.Option(
-            ["--all", "every"], is_flag=True,
-            help="List every orbit that is found, of every motion.",
-        ),
-    ]  # fmt: skip
+        option("--tol", float, tol),
+        option("--budget", str, budget),
+        option("--all every", None, "List every orbit that is found, of every motion."),
+    ]
 
 
 def of_sweep(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth sweep``."""
-    names = ",".join(method_names(scene))
+    names = f"Methods, joined by commas.  [default: {','.join(method_names(scene))}]"
+    vary = "Vary a parameter instead, by one method at one order."
     return [
-        Aliased(
-            ["--methods"], alias="--method",
-            help=f"Methods, joined by commas.  [default: {names}]",
-        ),
-        Aliased(
-            ["--orders"], alias="--order",
-            help="Orders N: numbers and ranges, as 4,8-12 or 10,20,...,80.  "
-            f"[default: {ORDERS}]",
-        ),
-        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        option("--methods", str, names, Aliased, alias="--method"),
+        option("--orders", str, f"{SEVERAL}.  [default: {ORDERS}]", Aliased, alias="--order"),
+        _functions(),
         *of_motion(scene),
-        Once(
-            ["--vary"], metavar="NAME=FROM:TO:POINTS",
-            help="Vary a parameter instead, by one method at one order.",
-        ),
-        click.Option(["--log"], is_flag=True, help="Space the values by a constant factor."),
-    ]  # fmt: skip
+        option("--vary", str, vary, Once, metavar="NAME=FROM:TO:POINTS"),
+        option("--log", None, "Space the values by a constant factor."),
+    ]
 
 
 def of_branch(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth branch``."""
-    attractors = click.Option(
-        ["--attractors"], is_flag=True,
-        help="Also draw the states on which simulations settle, once a period of the forcing.",
-    )  # fmt: skip
-    names = ", ".join(method_names(scene))
+    file = click.Path(path_type=Path, dir_okay=False)
+    start = "Start from an orbit that solve has written as .json or .nc."
+    every = (
+        "Follow every orbit that is found at a few values, and at flips those of twice the "
+        "period."
+    )
+    attractors = (
+        "Also draw the states on which simulations settle, once a period of the forcing."
+    )
+    beside = f"Also solve this expansion at each orbit: {', '.join(method_names(scene))}."
+    order = f"N of this expansion.  [default: {ORDER}]"
     return [
-        Once(
-            ["--vary"], metavar="NAME=FROM:TO", required=True,
-            help="The parameter, and its range.",
+        option(
+            "--vary", str, "The parameter, and its range.", Once,
+            metavar="NAME=FROM:TO", required=True,
         ),
         *of_motion(scene),
-        click.Option(
-            ["--from-orbit"], type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-            help="Start from an orbit that solve has written as .json or .nc.",
-        ),
-        click.Option(
-            ["--all", "every"], is_flag=True,
-            help="Follow every orbit that is found at a few values, and at flips those of "
-            "twice the period.",
-        ),
-        *([attractors] if scene.frequency else ()),
-        Aliased(
-            ["--method"], alias="--methods",
-            help=f"Also solve this expansion at each orbit: {names}.",
-        ),
-        Aliased(
-            ["--order"], alias="--orders", type=int,
-            help=f"N of this expansion.  [default: {ORDER}]",
-        ),
-        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        option("--from-orbit", file, start, metavar="FILE"),
+        option("--all every", None, every),
+        *([option("--attractors", None, attractors)] if scene.frequency else ()),
+        option("--method", str, beside, Aliased, alias="--methods"),
+        option("--order", int, order, Aliased, alias="--orders"),
+        _functions(),
     ]  # fmt: skip
 
 
 def of_map(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth map``."""
-    vary = click.Option(
-        ["--vary"], metavar="NAME=FROM:TO:COUNT", required=True, multiple=True,
-        help="Given twice: a parameter, its range, and how many values it takes.",
-    )  # fmt: skip
+    words = "Given twice: a parameter, its range, and how many values it takes."
+    form: dict[str, Any] = {"metavar": "NAME=FROM:TO:COUNT", "required": True, "multiple": True}
+    vary = option("--vary", str, words, **form)
     return [vary, *([_cycles("cycles")] if scene.frequency else ())]
 
 
 def of_simulate(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth simulate``; some look once a period of the forcing."""
+    state = (
+        "Displacement in m and velocity in m/s at the start; for a structure, of its first "
+        "contact.  [default: at rest at 0 or, where the scene does not admit that, near it]"
+    )
+    cycles = (
+        "How many periods of the forcing; without forcing, how many times 2 pi of the scene's "
+        "unit of time.  [default: 20]"
+    )
+    vary = (
+        "Draw a bifurcation diagram: the states once a period of the forcing, after a "
+        "transient, at values of a parameter."
+    )
+    transient = f"Periods of transient at each value of --vary.  [default: {TRANSIENT}]"
+    grid = "Draw basins of attraction from these initial states: given twice, for x and for v."
+    phase = "Phase of the forcing at the start in rad.  [default: 0]"
     once_a_period = [
-        Once(
-            ["--vary"], metavar="NAME=FROM:TO:COUNT",
-            help="Draw a bifurcation diagram: the states once a period of the forcing, after a "
-            "transient, at values of a parameter.",
-        ),
-        click.Option(
-            ["--transient"], type=int, metavar="CYCLES",
-            help=f"Periods of transient at each value of --vary.  [default: {TRANSIENT}]",
-        ),
-        click.Option(
-            ["--grid"], multiple=True, metavar="x=FROM:TO:COUNT",
-            help="Draw basins of attraction from these initial states: given twice, for x and "
-            "for v.",
-        ),
-    ]  # fmt: skip
+        option("--vary", str, vary, Once, metavar="NAME=FROM:TO:COUNT"),
+        option("--transient", int, transient, metavar="CYCLES"),
+        option("--grid", str, grid, metavar="x=FROM:TO:COUNT", multiple=True),
+    ]
     return [
-        click.Option(
-            ["--state"], metavar="X,V",
-            help="Displacement in m and velocity in m/s at the start; for a structure, of its "
-            "first contact.  [default: at rest at 0 or, where the scene does not admit that, "
-            "near it]",
-        ),
-        click.Option(
-            ["--cycles"], type=float,
-            help="How many periods of the forcing; without forcing, how many times 2 pi of the "
-            "scene's unit of time.  [default: 20]",
-        ),
-        click.Option(["--time"], type=float, help="How long in s, in place of --cycles."),
+        option("--state", str, state, metavar="X,V"),
+        option("--cycles", float, cycles),
+        option("--time", float, "How long in s, in place of --cycles."),
         *(once_a_period if scene.frequency else ()),
-        click.Option(
-            ["--forcing-phase"], type=float, default=0.0,
-            help="Phase of the forcing at the start in rad.  [default: 0]",
-        ),
-    ]  # fmt: skip
+        option("--forcing-phase", float, phase, default=0.0),
+    ]
 
 
 def of_digits(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options of ``nonsmooth digits``."""
-    names = ",".join(method_names(scene))
+    names = f"Methods, joined by commas.  [default: {','.join(method_names(scene))}]"
     return [
-        click.Option(["--methods"], help=f"Methods, joined by commas.  [default: {names}]"),
-        click.Option(["--orders"], help="Orders N: numbers and ranges.  [default: 5,10,20,40]"),
-        click.Option(["--quick"], is_flag=True, help="Order 10 only."),
+        option("--methods", str, names),
+        option("--orders", str, "Orders N: numbers and ranges.  [default: 5,10,20,40]"),
+        option("--quick", None, "Order 10 only."),
         *of_motion(scene),
     ]
-
-
-def of_none(_: "LoadedScene") -> list[click.Parameter]:
-    """Return no options: a command has those of a scene's parameters."""
-    return []

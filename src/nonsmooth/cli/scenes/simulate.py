@@ -87,11 +87,8 @@ def _diagram(
     with (
         as_problems(), wrong_values("--vary: "), progress(along.count, "simulate") as advance
     ):  # fmt: skip
-
-        def seen(value: float) -> None:
-            advance(f"{along.flag} = {value:g}")
-
-        result = diagram(case, along.parameter, values_of(along), transient, cycles, seen)
+        how = transient, cycles, lambda value: advance(f"{along.flag} = {value:g}")
+        result = diagram(case, along.parameter, values_of(along), *how)
     ended = sum(not len(each) for each in result.states)
     said = f"{result!r}, {sum(map(len, result.states))} states"
     said += f"; at {ended} the motion ends before" if ended else ""
@@ -112,11 +109,8 @@ def _basins(
         raise Problem(f"--grid: got {' and '.join(grid)}, expected one for x and one for v")
     case = case_from(given)
     with as_problems(), progress(len(axes["v"]), "simulate") as advance, pool() as executor:
-
-        def seen(value: float) -> None:
-            advance(f"v = {value:g}")
-
-        result = basins(case, axes["x"], axes["v"], cycles, executor, seen)
+        how = cycles, executor, lambda value: advance(f"v = {value:g}")
+        result = basins(case, axes["x"], axes["v"], *how)
     return _written(to, result, str(result), "strobe.basins_figure")
 
 

@@ -1,26 +1,30 @@
-"""``nonsmooth sweep SCENE``: how fast its methods converge, or its orbit along a parameter."""
+"""``nonsmooth sweep SCENE``: how fast its methods converge, or its orbit along a parameter.
+
+And ``nonsmooth tradeoff SCENE``: error against time, measured on this machine.
+"""
 
 from typing import Any
 
 from nonsmooth.files import documents
-from nonsmooth.solver.family import MOST_VALUES, ORDER, family_case
+from nonsmooth.solver.family import MOST_VALUES, family
 from nonsmooth.solver.kernels.registry import methods as methods_of
-from nonsmooth.solver.results.family import FamilyInterrupted, FamilyRow
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.results.interrupted import Interrupted
 from nonsmooth.solver.results.sweep import SweepRow
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import LoadedScene
-from nonsmooth.solver.scenes.methods import FIRST, shown
-from nonsmooth.solver.sweep import sweep_case
+from nonsmooth.solver.scenes.methods import shown
+from nonsmooth.solver.sweep import sweep
+from nonsmooth.solver.trade import measured
 
 from ..about import Given
 from ..aliases import generic_methods
 from ..output import Destination, drawn_by
-from ..problems import PLURAL, Problem, as_problems, wrong_values
+from ..problems import PLURAL, Problem, as_problems, no_orbit, wrong_values
 from ..progress import progress
-from ..values import Vary, is_whole, parse_orders, values_of
+from ..values import ORDERS, Vary, is_whole, parse_orders, values_of
 from . import tables
 from .case import case_from, vary_from
-from .options import ORDERS
 
 
 def run(
@@ -50,7 +54,7 @@ def _over_orders(
             def done(row: SweepRow) -> None:
                 advance(f"{shown(case.scene, row.method)}, N = {row.order}")
 
-            result = sweep_case(case, names, numbers, functions, done)
+            result = sweep(case, names, numbers, functions=functions, progress=done)
     text = documents.text(result.case, result.as_dict(), result.rates())
     to.show(text, tables.convergence(result))
     to.write(text, drawn_by("sweeps.convergence_figure", result), result)
@@ -70,25 +74,36 @@ def _along(
         raise Problem(f"--orders: got {orders!r} beside --vary, expected one order")
     if methods is not None and "," in methods:
         raise Problem(f"--methods: got {methods!r} beside --vary, expected one method")
-    order = ORDER if orders is None else int(orders)
-    name = FIRST if methods is None else methods.strip()
-    values = values_of(vary)
-    interrupted = False
+    how = methods and methods.strip(), None if orders is None else int(orders)
+    interrupt = None
     with (
         as_problems(PLURAL), wrong_values("--vary: "), progress(vary.count, "sweep") as advance
     ):  # fmt: skip
-
-        def told(row: FamilyRow) -> None:
-            advance(f"{vary.flag} = {row.value:g}")
-
         try:
-            result = family_case(case, vary.parameter, values, name, order, functions, told)
-        except FamilyInterrupted as interrupt:
-            result, interrupted = interrupt.done, True
+            result = family(
+                case, vary.parameter, values_of(vary), *how, functions=functions,
+                progress=lambda row: advance(f"{vary.flag} = {row.value:g}"),
+            )  # fmt: skip
+        except Interrupted as error:
+            interrupt, result = error, error.done
     text = documents.text(case, result.as_dict(), [result.method])
     to.show(text, tables.family(result))
     to.write(text, drawn_by("families.family_figure", result, vary.log), result)
-    if interrupted:
-        done = len(set(result["value"]))
-        raise Problem(f"interrupted: {done} of {vary.count} values are done", 130)
+    if interrupt:
+        raise Problem(f"interrupted: {interrupt}", 130)
     return 0 if all(row.status == "ok" for row in result.rows) else 1
+
+
+def trade(given: Given[LoadedScene], to: Destination) -> int:
+    """Measure, show, write; the exit status."""
+    case = case_from(given)
+    try:
+        with progress(1 + len(measured.ways(case)), "tradeoff") as advance:
+            result = measured.trade(case, advance)
+    except NoOrbit as finding:
+        raise no_orbit(finding) from finding
+    methods = dict.fromkeys(method for method, _ in measured.ways(case))
+    text = documents.text(case, result.as_dict(), methods)
+    to.show(text, tables.trade(result))
+    to.write(text, drawn_by("sweeps.trade_figure", result))
+    return 0

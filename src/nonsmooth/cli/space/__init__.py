@@ -1,4 +1,4 @@
 """``nonsmooth modes``, and ``sweep`` of a structure: modes of beams and strings in space.
 
-`commands` has their help and options; `modes`, `family` and `sweep` are what runs.
+`commands` has their help and options; `modes` and `sweep` are what runs.
 """

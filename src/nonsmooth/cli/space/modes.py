@@ -1,22 +1,33 @@
-"""``nonsmooth modes STRUCTURE``: the lowest modes by one expansion, or by all three."""
+"""``nonsmooth modes STRUCTURE``: modes by one expansion or all, or along a parameter."""
 
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import click
 
-from nonsmooth.files import documents
+from nonsmooth.files import csv_rows, documents
 from nonsmooth.files.json_text import sealed
-from nonsmooth.solver.scenes.parameter_error import whole
-from nonsmooth.solver.space.attached import Attached
-from nonsmooth.solver.space.modes import MOST_POINTS, Modes
+from nonsmooth.solver.scenes.parameter_error import ParameterError, whole
+from nonsmooth.solver.space.attached import Attached, attach
+from nonsmooth.solver.space.expansions.methods import METHODS
+from nonsmooth.solver.space.modes import MOST_POINTS, Modes, modes
+from nonsmooth.solver.space.position import as_fraction
 from nonsmooth.solver.space.structure import Structure
+from nonsmooth.solver.space.tolerance import ToleranceNotMet
 
-from ..about import Given
+from ..about import Given, flag
 from ..output import DATA, PICTURES, Destination, drawn_by
-from ..problems import Problem, as_problems
-from . import family, mode_tables
-from .wanted import ALL, attached_from, compute
+from ..problems import Problem, as_problems, wrong_values
+from ..progress import progress
+from ..values import Vary, parse_vary, values_of
+from . import mode_tables
+
+#: What asks for every expansion.
+ALL = "all"
+
+#: Most values of what varies, and an example.
+MOST_VALUES, EXAMPLE = 10_000, "position=1/20:1/2:10"
 
 
 def run(
@@ -30,8 +41,31 @@ def run(
     if shapes is not None:
         _check_shapes(shapes, vary, wanted["method"], to.json, to.file)
     if vary is not None:
-        return family.run(given, attached, to, wanted, vary, log)
-    return _run_once(attached, to, wanted, shapes)
+        if wanted["method"] == ALL:
+            raise Problem("--vary: got --method all with it, expected one method")
+        along = vary_of(vary, log, attached)
+        given.check_varies(along.parameter)
+        return _along(attached, to, wanted, along)
+    return _once(attached, to, wanted, shapes)
+
+
+def attached_from(given: Given[Structure]) -> Attached:
+    """Return the structure that the command line describes.
+
+    What neither a flag nor the case file gives has its default.  A `Problem` has all mistakes
+    at once.
+    """
+    values: dict[str, Any] = {**given.table(), **given.flags}
+    try:
+        return attach(given.about, **values)
+    except ParameterError as error:
+        said = (_as_flag(each) if given.file is None else each for each in error.errors)
+        raise Problem(given.where + "; ".join(said)) from error
+
+
+def _as_flag(error: str) -> str:
+    name, colon, rest = error.partition(": ")
+    return f"{flag(name)}{colon}{rest}" if colon and " " not in name else error
 
 
 def _check_shapes(
@@ -47,23 +81,87 @@ def _check_shapes(
         raise Problem(f"--shapes: expected -o FILE that ends in one of {', '.join(DATA)}")
 
 
-def _run_once(
-    attached: Attached, to: Destination, wanted: dict[str, Any], shapes: int | None
+def _once(
+    attached: Attached, to: Destination, wanted: dict[str, Any], points: int | None
 ) -> int:
     """Compute the modes, show them, write them; the exit status."""
     found = compute(attached, wanted)
-    kind, data = ("modes", found) if shapes is None else ("shapes", [found[0].shapes(shapes)])
+    kind, data = ("modes", found) if points is None else ("shapes", [found[0].shapes(points)])
     text = sealed(documents.document_of(kind, data))
     to.show(text, mode_tables.modes(found))
-    _warn(found)
-    with as_problems():
-        written = found if shapes is None else data[0]
-        to.write(text, drawn_by("modes.modes_figure", found), written)
-    return 0
-
-
-def _warn(found: list[Modes]) -> None:
     for expansion in found:
         if expansion.structure.kind == "compliance" and expansion.method == "ritz":
             words = "sines have no jump: these are the modes of the sound beam"
             click.echo(f"nonsmooth: ritz: {words}", err=True)
+    with as_problems():
+        written = found if points is None else data[0]
+        to.write(text, drawn_by("modes.modes_figure", found), written)
+    return 0
+
+
+def compute(attached: Attached, wanted: dict[str, Any]) -> list[Modes]:
+    """Return the modes by the method that is wanted, or by each.
+
+    A `Problem` is raised if there are none such; with status 1 if no order is within the
+    tolerance.
+    """
+    given = {name: value for name, value in wanted.items() if value is not None}
+    method, forced = given.pop("method", None), given.pop("forced", None)
+    found = []
+    for name in METHODS if method == ALL else (method,):
+        own: dict[str, Any] = {} if name is None else {"method": name}
+        if forced is not None and (method != ALL or name == "ritz-ck"):
+            own["forced"] = forced
+        try:
+            with as_problems():
+                found.append(modes(attached, **given, **own))
+        except Problem as problem:
+            if isinstance(problem.__cause__, ToleranceNotMet):
+                raise Problem(str(problem), 1) from problem
+            if str(problem).startswith("--method"):
+                raise Problem(f"{problem}; or {ALL}") from problem
+            raise
+    return found
+
+
+def vary_of(text: str, log: bool, attached: Attached) -> Vary[Fraction]:
+    """Return what ``--vary`` asks for, of a structure."""
+    names = ("position", *attached.values)
+    return parse_vary(text, log, names, MOST_VALUES, EXAMPLE, as_fraction)
+
+
+def structures_of(vary: Vary[Fraction], attached: Attached) -> list[Attached]:
+    """Return the structure with each of the values; a `Problem` if one of them cannot be."""
+    found = []
+    for value in values_of(vary):
+        given: dict[str, Any] = {"position": attached.a, **attached.values}
+        given[vary.parameter] = value if vary.parameter == "position" else float(value)
+        with wrong_values("--vary: "):
+            found.append(attach(attached.structure, **given))
+    return found
+
+
+def _label(vary: Vary[Fraction], value: Fraction) -> str:
+    """Return a value for a reader: a position as a fraction where that is short."""
+    short = vary.parameter == "position" and value.denominator < 1000
+    return str(value) if short else f"{float(value):.6g}"
+
+
+def _along(
+    attached: Attached, to: Destination, wanted: dict[str, Any], vary: Vary[Fraction]
+) -> int:
+    """Compute the modes along a parameter, show them, write them; the exit status."""
+    values, labels = zip(*((float(q), _label(vary, q)) for q in values_of(vary)), strict=True)
+    structures, found = structures_of(vary, attached), list[Modes]()
+    with progress(vary.count, "sweep") as advance:
+        for label, each in zip(labels, structures, strict=True):
+            found += compute(each, wanted)
+            advance(f"{vary.flag} = {label}")
+    document = documents.of_varied_modes(vary.flag, values, found)
+    text = documents.text_of_modes(attached.structure, document)
+    how = f"{found[0].shown}, N = {found[0].order}"
+    how = how if wanted["tol"] is None else "to a tolerance"
+    to.show(text, mode_tables.family(attached, vary, how, labels, found))
+    figure = drawn_by("modes.family_figure", vary.flag, values, found, vary.log)
+    to.write(text, figure, found, rows=lambda: csv_rows.of_modes(found, vary.flag, values))
+    return 0

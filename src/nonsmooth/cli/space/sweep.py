@@ -10,10 +10,9 @@ from ..aliases import split_methods
 from ..output import Destination, drawn_by
 from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
-from ..values import parse_orders
+from ..values import ORDERS, parse_orders
 from . import mode_tables
-from .commands import ORDERS
-from .wanted import attached_from
+from .modes import attached_from
 
 
 def run(
