@@ -39,8 +39,6 @@ balance/Galerkin method for non-smooth dynamic systems, \emph{Journal of Sound a
 Vibration} 261 (2003) 213--224.  What has no number there has none here.
 """
 
-#: Of the equations of the paper.
-
 FRAGMENT = r"""% Needs \usepackage{amsmath,amssymb} in the preamble; long equations may break
 % across pages with \allowdisplaybreaks.  Numbers are those of Kim and Perkins (2003),
 % set by \tag: they do not disturb the numbers of your own equations.

@@ -8,7 +8,7 @@ import re
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from .drawing import with_word
+from .drawing import LETTERS, with_word
 from .order import factors, in_given_order, terms
 
 
@@ -65,13 +65,12 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         first, second = map(self._print, expr.args)
         return rf"\delta_{{{first}, {second}}}"
 
-    def _print_ShiftedLegendre(self, expr: sp.Expr, exp: str | None = None) -> str:
+    def _with_index(self, expr: sp.Expr, exp: str | None = None) -> str:
         index, argument = map(self._print, expr.args)
-        return rf"P^{{*}}_{{{index}}}\left({argument}\right)"
+        letter = LETTERS[expr.func.__name__].replace("*", "^{*}")
+        return rf"{letter}_{{{index}}}\left({argument}\right)"
 
-    def _print_TwiceIntegrated(self, expr: sp.Expr, exp: str | None = None) -> str:
-        index, argument = map(self._print, expr.args)
-        return rf"Q_{{{index}}}\left({argument}\right)"
+    _print_ShiftedLegendre = _print_TwiceIntegrated = _with_index  # noqa: N815  (of classes)
 
 
 def _upright(word: str) -> str:

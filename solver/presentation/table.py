@@ -2,7 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from .notebook import of_rows
+
+if TYPE_CHECKING:
+    from ..scenes.case import Case
 
 #: What is told of a motion over time, and its units.
 COURSE = {"t": "s", "displacement": "m", "velocity": "m/s", "acceleration": "m/s**2"}
@@ -72,6 +77,33 @@ class Tabular:
         from .frames import dataset  # noqa: PLC0415  (an extra)
 
         return dataset(self.table())
+
+
+class OfRows(Tabular):
+    """A result of a row for each of many orbits of a case."""
+
+    case: "Case"
+    functions: int | None
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw it on axes, new ones without `ax`, and return these."""
+        raise NotImplementedError
+
+    def head(self, **how: Any) -> dict[str, Any]:
+        """Return the beginning of its document: the case, and how its orbits were computed."""
+        scene = self.case.scene
+        found: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
+        found |= {"motion": scene.motion, "cycles": self.case.cycles, **how}
+        return found | {"functions": self.functions, "parameters": dict(self.case.values)}
+
+    def about(self, **how: Any) -> dict[str, Any]:
+        """Return what a table says of all rows: the same, without what there is none of."""
+        found = self.head(**how)
+        del found["parameters"]
+        return {name: value for name, value in found.items() if value is not None}
+
+    def _repr_html_(self) -> str:
+        return of_rows(repr(self), str(self), self.plot)
 
 
 def flat(rows: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:

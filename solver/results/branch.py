@@ -87,7 +87,7 @@ class Branch(Family):
         rows = [row.as_dict() for row in self.rows]
         how = {"method": self.method, "order": self.order} if self.order else {}
         more = ["beside"] if how else []
-        return self.head(how) | {
+        return self.head(**how) | {
             "vary": self.parameter,
             "points": [
                 {"parameter": row["value"], **{key: row.get(key) for key in (*keys, *more)}}

@@ -9,11 +9,10 @@ import numpy as np
 from ..arrays import Vector
 from ..in_order import motion_of
 from ..orbit.errors import Errors
-from ..presentation.table import Table, flat
+from ..presentation.table import OfRows, Table, flat
 from ..scenes.case import Case
 from ..scenes.methods import shown
 from .document import errors_of
-from .of_rows import OfRows
 
 
 @dataclass(frozen=True)
@@ -240,7 +239,7 @@ class Family(OfRows):
         units |= {name: "s" for name in columns if name.startswith("duration_")}
         fixed = {n: value for n, value in self.case.values.items() if n != self.parameter}
         how = {"parameter": self.parameter, "method": self.method, "order": self.order}
-        return Table((self.parameter,), columns, units, self.about(how) | fixed)
+        return Table((self.parameter,), columns, units, self.about(**how) | fixed)
 
     def __repr__(self) -> str:
         scene, values = self.case.scene, self["value"]
@@ -267,4 +266,4 @@ class Family(OfRows):
         how = {"method": self.case.called(self.method), "order": self.order}
         along = {"parameter": self.parameter, "count": len(self.rows)}
         rows = [row.as_dict() for row in self.rows]
-        return self.head(how) | {"vary": along, "rows": rows}
+        return self.head(**how) | {"vary": along, "rows": rows}

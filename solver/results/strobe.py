@@ -43,7 +43,7 @@ class Diagram(Tabular):
 
         Needs matplotlib, the extra ``plot``.
         """
-        from ...plots.strobe import draw_diagram  # noqa: PLC0415  (an extra)
+        from ...plots.simulations import draw_diagram  # noqa: PLC0415  (an extra)
 
         return draw_diagram(self, ax, quantity, **style)
 
@@ -113,7 +113,7 @@ class Basins(Tabular):
 
         Needs matplotlib, the extra ``plot``.
         """
-        from ...plots.strobe import draw_basins  # noqa: PLC0415  (an extra)
+        from ...plots.simulations import draw_basins  # noqa: PLC0415  (an extra)
 
         return draw_basins(self, ax)
 

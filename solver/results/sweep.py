@@ -7,11 +7,10 @@ from typing import Any, overload
 from ..accuracy.rates import Rate, rate
 from ..kernels import registry
 from ..orbit.errors import Errors
-from ..presentation.table import Table, flat
+from ..presentation.table import OfRows, Table, flat
 from ..scenes.case import Case
 from ..scenes.methods import shown
 from .document import errors_of
-from .of_rows import OfRows
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.plots.strobe import basins_figure, diagram_figure
+from nonsmooth.plots.simulations import basins_figure, diagram_figure
 from nonsmooth.solver.existence.known import known_orbits
 
 SPRING = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.2)

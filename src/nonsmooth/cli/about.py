@@ -105,7 +105,28 @@ class Verb(Generic[About]):
         return [json, output] if self.file else [json]
 
 
-class CommandAbout(click.Command):
+class BehindName(click.Command):
+    """A command behind whose name that of a scene or a structure may stand.
+
+    `word` is what the usage line has for it, `names` are those that come with the program.
+    """
+
+    word = ""
+
+    def names(self) -> tuple[str, ...]:
+        """Return what may be named: nothing."""
+        return ()
+
+    def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
+        """Return what the usage line has behind the name of the command."""
+        return [*([self.word] if self.word else []), *super().collect_usage_pieces(ctx)]
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Complete names beside options."""
+        return [*completed(self.names(), incomplete), *super().shell_complete(ctx, incomplete)]
+
+
+class CommandAbout(BehindName):
     """What a verb does with one scene or structure, which the user called `said`, as a command.
 
     `parameters` are those of the scene or structure, and what stands below them; `words` are in

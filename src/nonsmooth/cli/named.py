@@ -6,9 +6,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 import click
-from click.shell_completion import CompletionItem
 
-from .about import completed
+from .about import BehindName
 from .case_files import said_first
 from .problems import Problem
 
@@ -93,7 +92,7 @@ SCENES = Kind("scenes", "[SCENE]", scene_names, scene_named)
 STRUCTURES = Kind("space", "[STRUCTURE]", structure_names, structure_named)
 
 
-class NamedCommand(click.Command):
+class NamedCommand(BehindName):
     """A command that becomes that of the scene or structure that its arguments name.
 
     `kinds` are what its first argument may name, if anything; `default` is meant where nothing
@@ -105,7 +104,7 @@ class NamedCommand(click.Command):
         default: str | None = DEFAULT, **options: Any,
     ) -> None:  # fmt: skip
         super().__init__(*arguments, **options)
-        self.kinds, self.default = kinds, default
+        self.kinds, self.default, self.word = kinds, default, kinds[0].word if kinds else ""
 
     def chosen(self, arguments: list[str]) -> tuple[click.Command, str, list[str]]:
         """Return the command that arguments mean, what it is about as named, and the rest.
@@ -132,11 +131,3 @@ class NamedCommand(click.Command):
     def names(self) -> tuple[str, ...]:
         """Return what may be named and comes with the program."""
         return tuple(name for kind in self.kinds for name in kind.names())
-
-    def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
-        """Return what the usage line has behind the name of the command."""
-        return [*(kind.word for kind in self.kinds[:1]), *super().collect_usage_pieces(ctx)]
-
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Complete names beside options."""
-        return [*completed(self.names(), incomplete), *super().shell_complete(ctx, incomplete)]

@@ -178,15 +178,13 @@ def check_folder(path: Path, files: Set[str]) -> None:
         there = {entry.name for entry in path.iterdir()}
     check_folder_of(path)
     other = sorted(there - files)
-    if other or (there and not _ours(path / PAGE)):
+    page = path / PAGE
+    ours = page.is_file() and MARK in page.read_text("utf-8", errors="replace")
+    if other or (there and not ours):
         what = f"has {other[0]} in it" if other else "has a page that is not ours"
         raise Problem(
             f"-o: {path} {what}; expected a new or empty folder, or one that report made"
         )
-
-
-def _ours(page: Path) -> bool:
-    return page.is_file() and MARK in page.read_text("utf-8", errors="replace")
 
 
 def write_folder(path: Path, write: Callable[[Path], None]) -> None:

@@ -46,13 +46,10 @@ class Verbose(click.Option):
 
     def __init__(self) -> None:
         super().__init__(
-            ["-v", "--verbose"], is_flag=True, expose_value=False, callback=_note_verbose,
+            ["-v", "--verbose"], is_flag=True, expose_value=False,
+            callback=lambda ctx, _, given: ctx.meta.update({__name__: given}),
             help="If no orbit is found, list all that was tried.",
         )  # fmt: skip
-
-
-def _note_verbose(ctx: click.Context, _: click.Parameter, given: bool) -> None:
-    ctx.meta[__name__] = given
 
 
 def is_verbose() -> bool:
@@ -81,10 +78,20 @@ def _shortened(tried: Sequence[str]) -> Iterator[str]:
     yield from tried[-MOST_TOLD // 2 :]
 
 
-def no_orbit(finding: "NoOrbit") -> Problem:
-    """Return the problem that there is no orbit."""
+def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
+    """Say on stderr why there is no orbit: what was found, and below it what was tried.
+
+    What is in `said`, but for the method in front, is not said at length again; it is added.
+    """
     found, *below = reasons(finding)
-    return Problem(found, 1, below)
+    of_what, _, why = found.partition(": ")
+    whole, same = "; ".join((found, *below)), "; ".join((why, *below))
+    said = set() if said is None else said
+    if whole not in said and same in said:
+        say(f"{of_what}: no orbit, for the same reasons")
+    elif whole not in said:
+        say(found, below)
+    said.update((whole, same))
 
 
 @contextmanager
@@ -121,7 +128,7 @@ def print_warnings() -> None:
         file: TextIO | None = None, line: str | None = None,
     ) -> None:  # fmt: skip
         if category.__module__.partition(".")[0] == __package__.partition(".")[0]:
-            click.echo(f"nonsmooth: {message}", err=True)
+            say(str(message))
         else:
             others(message, category, filename, lineno, file, line)
 

@@ -10,7 +10,7 @@ from matplotlib.patches import Patch
 
 from .axes import axes_or_new, described, panel, say_below
 from .families import name_of
-from .strobe import BASINS, NONE
+from .simulations import BASINS, NONE
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.chart import Chart

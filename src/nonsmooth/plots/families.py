@@ -56,7 +56,8 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
     """
     check_quantity(quantity, QUANTITIES)
     axes = axes_or_new(ax)
-    look = {"linewidth": 1.2, "color": _color(result)} | style
+    color = "0.1" if result.in_turn else about(result.method).look["color"]
+    look = {"linewidth": 1.2, "color": color} | style
     if quantity == "times":
         _draw_times(axes, result, {"linewidth": 1.2, "color": "0.2"} | style)
     else:
@@ -70,10 +71,6 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
     mark_values(axes, missing, "no orbit", "0.4")
     axes.set_xlabel(name_of(result.case.scene, result.parameter))
     return axes
-
-
-def _color(result: "Family") -> Any:
-    return "0.1" if result.in_turn else about(result.method).look["color"]
 
 
 def _columns(rows: "Sequence[FamilyRow]", quantity: str) -> "Iterator[Vector]":

@@ -79,7 +79,7 @@ def equations(
         with busy("deriving the equations"):
             unicode = output is not None or _terminal_has_unicode()
             name = DEFAULT if scene is None else scene
-            parts, title = _sections(name, method, functions, motion, phases)
+            parts, title = _sections(name, method, functions, motion=motion, phases=phases)
             text = _text_of(parts, title, chosen, fragment, unicode)
     except SceneFileError as error:
         raise Problem(str(error)) from error
@@ -88,7 +88,10 @@ def equations(
         option = "SCENE" if name == "scene" else f"--{name}"
         raise Problem(f"{option}: {expected}") from error
     if output is None:
-        click.echo(_for_stdout(text, chosen), nl=False)
+        if chosen == "html":  # with references for what stdout has no character for
+            encoding = sys.stdout.encoding or "ascii"
+            text = text.encode(encoding, "xmlcharrefreplace").decode(encoding)
+        click.echo(text, nl=False)
     elif chosen == "pdf":
         made = tex.pdf(text)
         write_whole(output, lambda target: target.write_bytes(made))
@@ -119,11 +122,7 @@ def _format(format_: str | None, output: Path | None) -> str:
 
 
 def _sections(
-    scene: str,
-    method: str | None,
-    functions: int | None,
-    motion: str | None,
-    phases: str | None,
+    scene: str, method: str | None, functions: int | None, **order: str | None
 ) -> "tuple[list[Section], str]":
     """Return the sections on a scene, or on a structure, and their title."""
     methods = [method] if method else []
@@ -134,16 +133,17 @@ def _sections(
 
         if functions is not None:
             raise ValueError(f"functions: got {functions}, {scene} has forced modes, all shown")
-        for flag, given in (("motion", motion), ("phases", phases)):
+        for flag, given in order.items():
             if given is not None:
                 raise ValueError(f"{flag}: got {given!r}, expected a SCENE that has several")
         return of_structure(name, methods), f"Modes of {structure_named(name).title}"
     from nonsmooth.codegen.equations import scene_named, sections
 
-    if motion is not None and phases is not None:
-        raise ValueError(f"phases: got {phases} beside --motion {motion}, expected one of them")
+    if None not in order.values():
+        words = "got {phases} beside --motion {motion}, expected one of them"
+        raise ValueError(f"phases: {words.format(**order)}")
     title = f"Galerkin equations of {scene_named(scene).title}"
-    return sections(scene, methods, functions, motion, phases), title
+    return sections(scene, methods, functions, **order), title
 
 
 def _text_of(
@@ -157,14 +157,6 @@ def _text_of(
     if format_ == "text":
         return text.text_of(shown, unicode)
     return latex.fragment_of(shown) if fragment else latex.document_of(shown, title)
-
-
-def _for_stdout(text: str, format_: str) -> str:
-    """Return a document as stdout can take it: HTML with references for other characters."""
-    encoding = sys.stdout.encoding or "ascii"
-    if format_ != "html":
-        return text
-    return text.encode(encoding, "xmlcharrefreplace").decode(encoding)
 
 
 def _terminal_has_unicode() -> bool:

@@ -1,4 +1,4 @@
-"""What only the paper's oscillator has: ``nonsmooth roots`` and the report on its figures."""
+"""``nonsmooth roots`` and the report on the figures of the paper; the report on any scene."""
 
 from collections.abc import Iterator
 from dataclasses import asdict
@@ -18,6 +18,7 @@ from ..output import (
     write_folder,
     write_whole,
 )
+from ..problems import tell
 from ..progress import busy, progress
 
 if TYPE_CHECKING:
@@ -124,4 +125,27 @@ def report(given: Given[Any], to: Destination, figure: str | None) -> int:
     check_folder(folder, FILES)
     with progress(STEPS, "report") as done:
         write_folder(folder, lambda made: build(belt, made, done))
+    return 0
+
+
+def report_on(given: Given[Any], to: Destination) -> int:
+    """Compute what a page on any scene says, write it; the exit status."""
+    from nonsmooth.report.scenes.scene_page import FILES, build, count
+    from nonsmooth.solver.exact import exact_orbit
+    from nonsmooth.solver.no_orbit import NoOrbit
+
+    from ..scenes.case import case_from
+
+    case = case_from(given)
+    folder = to.file
+    assert folder is not None
+    check_folder(folder, FILES)
+    try:
+        exact = exact_orbit(case)
+    except NoOrbit as finding:
+        tell(finding)
+        return 1
+    case = exact.case  # of the motion that occurs, where the scene has several
+    with progress(count(case), "report") as done:
+        write_folder(folder, lambda made: build(case, exact, given.said, made, done))
     return 0

@@ -23,13 +23,12 @@ from nonsmooth.solver.strobe import diagram
 
 from ..about import Given
 from ..output import PICTURES, Destination, drawn_by
-from ..problems import Problem, as_problems
+from ..problems import Problem, as_problems, tell
 from ..progress import busy, progress
 from ..values import Vary
 from . import tables
 from .captions import caption
 from .case import case_from, vary_from
-from .wanted import tell
 
 #: Values of a diagram below a branch.
 VALUES = 121

@@ -4,11 +4,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import click
-from click.shell_completion import CompletionItem
 
-from ..about import PREFIX, CommandAbout, Verb, completed, flag, option
+from ..about import PREFIX, CommandAbout, Verb, flag, option
 from ..commands import paper
-from ..named import DEFAULT, scene_names
+from ..named import DEFAULT, SCENES
 from ..output import FOR_REPORTS
 from ..problems import Verbose
 from . import options
@@ -135,7 +134,7 @@ Examples:
 )
 
 REPORT = Verb(
-    ".scenes.report.run",
+    ".commands.paper.report_on",
     """Write a page on {name}: what it is, its orbit, and how fast each expansion finds it.
 
 {title}. The page needs no network.""",
@@ -172,18 +171,14 @@ For another SCENE, a name that 'nonsmooth scenes' lists or the path of a scene f
 parameters are in 'nonsmooth {verb} SCENE --help'."""
 
 
-class CommandOfScene(CommandAbout):
-    """A command built for a scene."""
+class CommandOfDefault(CommandAbout):
+    """A command about the default scene, which may be told another."""
 
-    def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
-        """Return what the usage line has behind the name of the command."""
-        pieces = super().collect_usage_pieces(ctx)
-        return pieces if " " in (ctx.info_name or "") else ["[SCENE]", *pieces]
+    word = SCENES.word
 
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Complete options, and scenes where none is named."""
-        scenes = () if " " in (ctx.info_name or "") else scene_names()
-        return [*completed(scenes, incomplete), *super().shell_complete(ctx, incomplete)]
+    def names(self) -> tuple[str, ...]:
+        """Return the names of the shipped scenes."""
+        return SCENES.names()
 
 
 def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
@@ -205,11 +200,10 @@ def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
         Verbose(),
     ]
     about = (VERBS | OF_DEFAULT if scene.name == DEFAULT else VERBS)[verb]
-    if verb not in VERBS:
+    if said or verb not in VERBS:
         return CommandAbout(scene, said, about, parameters, words)
-    if not said:
-        about = replace(about, help=about.help + OF_OTHERS.format(verb=verb))
-    return CommandOfScene(scene, said, about, parameters, words)
+    about = replace(about, help=about.help + OF_OTHERS.format(verb=verb))
+    return CommandOfDefault(scene, said, about, parameters, words)
 
 
 def _help(q: "Parameter") -> str:

@@ -18,7 +18,7 @@ from ..about import Given
 from ..aliases import generic_methods
 from ..columns import Piece, filled, table_of
 from ..output import Destination, drawn_by
-from ..problems import PLURAL, Problem, as_problems, wrong_values
+from ..problems import PLURAL, Problem, as_problems, say, wrong_values
 from ..progress import progress
 from ..values import parse_orders
 from .captions import caption
@@ -43,7 +43,7 @@ def run(
 ) -> int:  # fmt: skip
     """Measure, show, write; the exit status."""
     if (click.get_current_context().info_name or "").startswith(OLD_NAME):
-        click.echo(f"nonsmooth: {OLD_NAME}: {RENAMED}", err=True)
+        say(f"{OLD_NAME}: {RENAMED}")
     case = case_from(given)
     if quick and orders is not None:
         raise Problem(f"--quick: got --orders {orders} beside it, expected one of them")
@@ -60,7 +60,7 @@ def run(
         cases = digits.extremes(case)
     if len(cases) == 1:
         hint = "its field `extremes` names none, so that only these parameters are measured"
-        click.echo(f"nonsmooth: {case.scene.name}: {hint}", err=True)
+        say(f"{case.scene.name}: {hint}")
     total = len(cases) * (1 + len(names) * len(numbers))
     with progress(total, "digits") as advance, wrong_values():
 

@@ -2,8 +2,6 @@
 
 from typing import Any
 
-import click
-
 from nonsmooth.files import csv_rows, documents
 from nonsmooth.solver.results.strobe import Basins, Diagram
 from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -12,7 +10,7 @@ from nonsmooth.solver.strobe import basins, diagram
 
 from ..about import Given, flag
 from ..output import Destination, drawn_by
-from ..problems import Problem, as_problems, wrong_values
+from ..problems import Problem, as_problems, say, wrong_values
 from ..progress import busy, progress
 from ..values import parse_vary, values_of
 from . import captions, tables
@@ -60,7 +58,7 @@ def _one(given: Given[LoadedScene], to: Destination, state: str | None, **wanted
     text = documents.text(motion.case, motion.as_dict(), ())
     to.show(text, tables.transient(case, motion))
     if motion.ended:
-        click.echo(f"nonsmooth: ended at t = {motion.time:.6g} s: {motion.ended}", err=True)
+        say(f"ended at t = {motion.time:.6g} s: {motion.ended}")
     figure = drawn_by("simulations.simulation_figure", motion)
     to.write(text, figure, rows=lambda: csv_rows.of_simulation(motion))
     return 1 if motion.ended else 0
@@ -92,7 +90,7 @@ def _diagram(
     ended = sum(not len(each) for each in result.states)
     said = f"{result!r}, {sum(map(len, result.states))} states"
     said += f"; at {ended} the motion ends before" if ended else ""
-    return _written(to, result, said, "strobe.diagram_figure")
+    return _written(to, result, said, "simulations.diagram_figure")
 
 
 def _basins(
@@ -111,7 +109,7 @@ def _basins(
     with as_problems(), progress(len(axes["v"]), "simulate") as advance, pool() as executor:
         how = cycles, executor, lambda value: advance(f"v = {value:g}")
         result = basins(case, axes["x"], axes["v"], *how)
-    return _written(to, result, str(result), "strobe.basins_figure")
+    return _written(to, result, str(result), "simulations.basins_figure")
 
 
 def _written(to: Destination, result: Basins | Diagram, said: str, figure: str) -> int:

@@ -4,8 +4,6 @@ from collections.abc import Iterator
 from dataclasses import asdict
 from typing import Any
 
-import click
-
 from nonsmooth.files import documents
 from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.existence.reasons import motions_without_switches
@@ -21,12 +19,12 @@ from ..about import Given
 from ..aliases import check_one_method, split_methods
 from ..columns import Piece
 from ..output import Destination, drawn_by
-from ..problems import Problem, as_problems
+from ..problems import Problem, as_problems, say, tell
 from ..progress import busy
 from ..values import parse_seconds
 from . import captions, tables
 from .case import case_from
-from .wanted import Wanted, exact_near, search, tell
+from .wanted import Wanted, exact_near, search
 
 #: Estimated error of the times above which an orbit is not returned without a word.
 FAR_OFF = 0.1
@@ -65,7 +63,10 @@ def _solve(case: Case, wanted: Wanted, to: Destination) -> int:
         yield f"\n{captions.legend(case.scene)}"
 
     to.show(text, pieces())
-    _warn(orbits if choice is None else [])
+    for orbit in orbits if choice is None else []:
+        if orbit.estimate.times > FAR_OFF:
+            off = f"{100 * orbit.estimate.times:.0f} % of the period, by the estimate"
+            say(f"{orbit.method}, N = {orbit.order}: its times are off by {off}")
     _write(to, text, orbits, exact)
     return 0 if len(orbits) == len(found) else 1
 
@@ -102,17 +103,9 @@ def _why(choice: Choice, wanted: Wanted) -> str:
     return f"{last.method}, N = {choice.orbit.order}: {words}\nwithin {wanted.tol:g}."
 
 
-def _warn(orbits: list[Orbit]) -> None:
-    for orbit in orbits:
-        off = orbit.estimate.times
-        if off > FAR_OFF:
-            hint = f"its times are off by {100 * off:.0f} % of the period, by the estimate"
-            click.echo(f"nonsmooth: {orbit.method}, N = {orbit.order}: {hint}", err=True)
-
-
 def _write(to: Destination, text: str, orbits: list[Orbit], exact: ExactOrbit | None) -> None:
     """Write orbits, if a file is named: without any only their document."""
     if to.file is not None and to.file.suffix.lower() != ".json" and not orbits:
-        click.echo(f"nonsmooth: no orbit, {to.file} is not written", err=True)
+        say(f"no orbit, {to.file} is not written")
     else:
         to.write(text, drawn_by("orbits.orbit_figure", orbits, exact), orbits)

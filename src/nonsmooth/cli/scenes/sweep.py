@@ -20,7 +20,7 @@ from nonsmooth.solver.trade import measured
 from ..about import Given
 from ..aliases import generic_methods
 from ..output import Destination, drawn_by
-from ..problems import PLURAL, Problem, as_problems, no_orbit, wrong_values
+from ..problems import PLURAL, Problem, as_problems, tell, wrong_values
 from ..progress import progress
 from ..values import ORDERS, Vary, is_whole, parse_orders, values_of
 from . import tables
@@ -101,7 +101,8 @@ def trade(given: Given[LoadedScene], to: Destination) -> int:
         with progress(1 + len(measured.ways(case)), "tradeoff") as advance:
             result = measured.trade(case, advance)
     except NoOrbit as finding:
-        raise no_orbit(finding) from finding
+        tell(finding)
+        return 1
     methods = dict.fromkeys(method for method, _ in measured.ways(case))
     text = documents.text(case, result.as_dict(), methods)
     to.show(text, tables.trade(result))

@@ -14,7 +14,7 @@ from nonsmooth.solver.trade.choice import Choice, NotCertified, TooSlow
 from nonsmooth.solver.trade.tolerance import choose_order
 
 from ..aliases import check_one_method
-from ..problems import Problem, as_problems, reasons, say
+from ..problems import Problem, as_problems, tell
 from ..progress import busy
 from .options import ORDER
 
@@ -75,19 +75,13 @@ def search(case: Case, wanted: Wanted) -> tuple[Choice | None, Found]:
         functions = wanted.functions
         if len(names) > 1:
             functions = number_of_functions(case, name, functions)
-        found[name] = _solve(case, name, wanted.size, functions, said)
+        try:
+            with as_problems(), busy(f"{name}, N = {wanted.size}"):
+                found[name] = solve_case(case, name, wanted.size, functions)
+        except NoOrbit as finding:
+            tell(finding, said)
+            found[name] = finding
     return None, found
-
-
-def _solve(
-    case: Case, method: str, order: int, functions: int | None, said: set[str]
-) -> Orbit | NoOrbit:
-    try:
-        with as_problems(), busy(f"{method}, N = {order}"):
-            return solve_case(case, method, order, functions)
-    except NoOrbit as finding:
-        tell(finding, said)
-        return finding
 
 
 def _choose(case: Case, method: str | None, wanted: Wanted) -> tuple[Choice | None, Found]:
@@ -114,22 +108,6 @@ def _choose(case: Case, method: str | None, wanted: Wanted) -> tuple[Choice | No
         tell(finding)
         return None, {name: finding}
     return choice, {choice.orbit.method: choice.orbit}
-
-
-def tell(finding: NoOrbit, said: set[str] | None = None) -> None:
-    """Say on stderr why there is no orbit: what was found, and below it what was tried.
-
-    What is in `said`, but for the method in front, is not said at length again; it is added.
-    """
-    found, *below = reasons(finding)
-    of_what, _, why = found.partition(": ")
-    whole, same = "; ".join((found, *below)), "; ".join((why, *below))
-    said = set() if said is None else said
-    if whole not in said and same in said:
-        say(f"{of_what}: no orbit, for the same reasons")
-    elif whole not in said:
-        say(found, below)
-    said.update((whole, same))
 
 
 def exact_near(case: Case, orbits: list[Orbit]) -> ExactOrbit | None:

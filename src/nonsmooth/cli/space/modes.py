@@ -4,8 +4,6 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import click
-
 from nonsmooth.files import csv_rows, documents
 from nonsmooth.files.json_text import sealed
 from nonsmooth.solver.scenes.parameter_error import ParameterError, whole
@@ -18,7 +16,7 @@ from nonsmooth.solver.space.tolerance import ToleranceNotMet
 
 from ..about import Given, flag
 from ..output import DATA, PICTURES, Destination, drawn_by
-from ..problems import Problem, as_problems, wrong_values
+from ..problems import Problem, as_problems, say, wrong_values
 from ..progress import progress
 from ..values import Vary, parse_vary, values_of
 from . import mode_tables
@@ -92,7 +90,7 @@ def _once(
     for expansion in found:
         if expansion.structure.kind == "compliance" and expansion.method == "ritz":
             words = "sines have no jump: these are the modes of the sound beam"
-            click.echo(f"nonsmooth: ritz: {words}", err=True)
+            say(f"ritz: {words}")
     with as_problems():
         written = found if points is None else data[0]
         to.write(text, drawn_by("modes.modes_figure", found), written)
