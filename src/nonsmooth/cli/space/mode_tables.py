@@ -68,12 +68,9 @@ def _law(mismatch: float | None) -> str:
 def _legend(structure: Structure) -> str:
     """Return what the headings mean."""
     broken, felt = _primes(structure.broken), _primes(structure.felt)
-    law = {
-        "stiffness": f"s {felt}",
-        "inertia": f"s lambda {felt}",
-        "compliance": f"s {felt}",
-    }[structure.kind]
-    sign = _sign(structure)
+    law = f"s lambda {felt}" if structure.kind == "inertia" else f"s {felt}"
+    negative = structure.jump * (-1 if structure.kind == "stiffness" else 1) < 0
+    sign = "-" if negative else ""
     parts = [
         "f_ex: the exact frequency",
         "proved: how far f can be off, by bounds on both sides that do not know it",
@@ -81,11 +78,6 @@ def _legend(structure: Structure) -> str:
         "node: the mode is sin(n pi x/L), which the attachment does not feel",
     ]
     return filled("; ".join(parts) + ".")
-
-
-def _sign(structure: Structure) -> str:
-    negative = structure.jump * (-1 if structure.kind == "stiffness" else 1) < 0
-    return "-" if negative else ""
 
 
 def _primes(derivative: int) -> str:
