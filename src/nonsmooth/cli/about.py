@@ -61,7 +61,7 @@ class Given(Generic[About]):
 
 
 @dataclass(frozen=True)
-class Verb(Generic[About]):
+class Verb:
     """What a command does with the scene or structure that is named.
 
     Parameters
@@ -69,7 +69,7 @@ class Verb(Generic[About]):
     run : str
         A function and its module, which is imported to run.  It takes what is given of the
         scene or structure, where the result goes, and options; it returns the exit status.
-    help, epilog : str
+    help, examples : str
         As click has them, with places for words.
     options : callable
         Returns the options of a scene or structure that stand before ``--case``.
@@ -83,8 +83,8 @@ class Verb(Generic[About]):
 
     run: str
     help: str
-    epilog: str
-    options: Callable[[About], list[click.Parameter]] = lambda about: []
+    examples: str
+    options: Callable[[Any], list[click.Parameter]] = lambda about: []
     file: str = ""
     folder: str = ""
     needs: tuple[tuple[str, ...], ...] = ()
@@ -134,7 +134,7 @@ class CommandAbout(BehindName):
     """
 
     def __init__(
-        self, about: Any, said: str, verb: Verb[Any],
+        self, about: Any, said: str, verb: Verb,
         parameters: Iterable[click.Parameter], words: Mapping[str, object],
     ) -> None:  # fmt: skip
         self.about, parameters = about, [*parameters]
@@ -170,7 +170,7 @@ class CommandAbout(BehindName):
             callback=callback,
             params=[*verb.options(about), file, *parameters, *verb.written],
             help=verb.help.format(**words),
-            epilog=_without_gaps(verb.epilog.format(**words)),
+            epilog="\b\nExamples:\n" + _without_gaps(verb.examples.format(**words)),
         )
 
 

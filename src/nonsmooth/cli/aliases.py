@@ -21,13 +21,7 @@ else:  # not generic in click 8.2
 
 
 class Aliased(click.Option):
-    """An option that has another name as well, which is not shown.
-
-    Parameters
-    ----------
-    alias : str
-        The other name.
-    """
+    """An option that has another name, an alias, as well, which is not shown."""
 
     def __init__(self, *arguments: Any, alias: str, **options: Any) -> None:
         super().__init__(*arguments, **options)

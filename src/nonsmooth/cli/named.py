@@ -29,12 +29,7 @@ def scene_names() -> tuple[str, ...]:
 def scene_named(text: str) -> "LoadedScene":
     """Return a scene by its name or by the path of its file, derived first if it is new.
 
-    Raises
-    ------
-    UsageError
-        If there is none of this name.
-    Problem
-        If its file is not as it must be.
+    A `UsageError` is raised if there is none, a `Problem` if its file is not as it must be.
     """
     from nonsmooth.scene_files.error import SceneFileError
     from nonsmooth.scene_files.find import find_scene
@@ -109,12 +104,8 @@ class NamedCommand(BehindName):
     def chosen(self, arguments: list[str]) -> tuple[click.Command, str, list[str]]:
         """Return the command that arguments mean, what it is about as named, and the rest.
 
-        That is the first argument, or what the table of a case file names.
-
-        Raises
-        ------
-        UsageError, Problem
-            If there is no such scene or structure, or its file is not as it must be.
+        That is the first argument, or what the table of a case file names; errors are those of
+        `Kind.named`.
         """
         named = said_first(arguments, lambda: {*self.names()} - {self.default})
         said, rest = named if self.kinds else (None, arguments)

@@ -1,7 +1,7 @@
 """The page: what was computed, put into the template, with the pictures inside."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from nonsmooth.codegen.equations import sections
 from nonsmooth.codegen.printing.html import fragment_of
@@ -10,8 +10,7 @@ from nonsmooth.solver.kernels import registry
 
 from .captions import PLATES, flags, other_tests, reading
 from .case import DEFAULT, MOST, Case
-from .checks import Finding
-from .claims import CLAIMS, GROUPS, VERDICTS, Claim, Part
+from .claims import CLAIMS, GROUPS, VERDICTS
 from .figures import FLOOR
 from .html import filled, folded, inline
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
@@ -21,26 +20,17 @@ from .words import number, percent
 ORDERS = (3, 10, 40)
 
 
-@dataclass(frozen=True)
-class Checked:
-    """A claim with its number and verdict; of each part the finding, and where it holds."""
+def check(case: Case, intervals: Intervals) -> Iterator[dict[str, Any]]:
+    """Yield every claim with its number and verdict for this case.
 
-    number: int
-    claim: Claim
-    verdict: str
-    parts: list[tuple[Part, Finding, str]]
-
-
-def check(case: Case, intervals: Intervals) -> list[Checked]:
-    """Return every claim with its verdict for this case."""
-    checked = []
+    And with its parts: of each the finding, and where it holds.
+    """
     for place, claim in enumerate(CLAIMS, 1):
         findings = [part.of(case) for part in claim.parts]
         where = [in_words(case.belt, intervals[part]) for part in claim.parts]
         parts = list(zip(claim.parts, findings, where, strict=True))
         verdict = claim.verdict([finding.holds for finding in findings])
-        checked.append(Checked(place, claim, verdict, parts))
-    return checked
+        yield {"number": place, "claim": claim, "verdict": verdict, "parts": parts}
 
 
 def _errors(case: Case, method: str, order: int) -> tuple[str, str]:
@@ -65,7 +55,7 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
     pictures : dict of str to str
         SVG by name.
     """
-    belt, checked = case.belt, check(case, intervals)
+    belt, checked = case.belt, [*check(case, intervals)]
     shown = {name: words for plate in PLATES for name, words in plate.pictures.items()}
     shown["claims"] = f"For which normal forces each of the {len(CLAIMS)} claims holds."
     return filled(
@@ -85,10 +75,10 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         svg={name: inline(pictures[name], name, words) for name, words in shown.items()},
         other_tests=other_tests(case),
         groups={
-            heading: [one for one in checked if one.claim in claims]
+            heading: [one for one in checked if one["claim"] in claims]
             for heading, claims in GROUPS.items()
         },
-        tally={name: [one for one in checked if one.verdict == name] for name in VERDICTS},
+        tally={name: [one for one in checked if one["verdict"] == name] for name in VERDICTS},
         count=len(checked),
         scanned=SCANNED,
         forces=[f"{force(belt, alpha):.4g}" for alpha in (FIRST, LAST)],

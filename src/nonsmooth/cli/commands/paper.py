@@ -37,31 +37,27 @@ VERDICT = 34
 #: Highest order of `roots`: the polynomial has twice as many coefficients, of many digits.
 MOST = 40
 
-ROOTS: Verb[Any] = Verb(
+ROOTS = Verb(
     ".commands.paper.roots",
     """List all real solutions of the paper's C1 series.
 
 Those of its equations (18) to (20), and which one is the orbit. With the coefficients
 eliminated they are the positive roots of one polynomial in the slip duration,
 alpha D(s**2) = s E(s**2), isolated in exact arithmetic.""",
-    """\b
-Examples:
-  nonsmooth roots --order 7
+    """  nonsmooth roots --order 7
   nonsmooth roots --order 4 --normal-force 100
 """,
     lambda _: [option("--order", click.IntRange(1, MOST), "N of (15).", required=True)],
 )
 
-REPORT: Verb[Any] = Verb(
+REPORT = Verb(
     ".commands.paper.report",
     """Write a page that recomputes the paper, or about a scene.
 
 For the parameters given: Figs. 2 to 6 of the paper, its equations, and its claims one by one,
 each with the normal forces for which it holds. With another SCENE: its orbit, its equations,
 and how fast each expansion converges. The page needs no network.""",
-    """\b
-Examples:
-  nonsmooth report -o report
+    """  nonsmooth report -o report
   nonsmooth report --normal-force 98.1 -o report
   nonsmooth report --figure 5 -o fig5.pdf
   nonsmooth report impact --gap 0.2 -o impact
