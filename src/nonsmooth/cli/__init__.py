@@ -158,8 +158,6 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         _fail(f"{_said(error)} (see{where} --help)", 2)
     except click.ClickException as error:
         _fail(error.format_message(), 2)
-    except MissingExtra as error:
-        _fail(str(error), 2)
     except Problem as problem:
         _fail(str(problem), problem.status, problem.below)
     except (click.Abort, KeyboardInterrupt):
@@ -168,7 +166,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         with contextlib.suppress(OSError):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(0)
-    except OSError as error:
+    except (MissingExtra, OSError) as error:
         _fail(str(error), 2)
     except MemoryError as error:
         _fail(f"not enough memory: {error}", 2)

@@ -145,17 +145,14 @@ def _in_full(orbit: Orbit) -> str:
     part, turn = orbit.estimate.times, orbit.forcing_phase
     words = [f"T = {certain_digits(orbit.period, abs(orbit.estimate.period))} s"]
     if turn is not None:
-        off = 2 * math.pi * part * (orbit.period / _forcing_period(orbit.case))
+        forced = 2 * math.pi / float(orbit.case.values[str(orbit.case.scene.frequency)])
+        off = 2 * math.pi * part * (orbit.period / forced)
         words.append(f"phi = {certain_digits(turn, off / turn if turn else 1.0)} rad")
     names = orbit.case.scene.phases
     if len(names) > 1:
         for name, s in zip(names, orbit.durations, strict=False):
             words.append(f"{name} = {certain_digits(s, part * orbit.period / s)} s")
     return ", ".join(words)
-
-
-def _forcing_period(case: Case) -> float:
-    return 2 * math.pi / float(case.values[str(case.scene.frequency)])
 
 
 def family(result: Family) -> Iterator[Piece]:

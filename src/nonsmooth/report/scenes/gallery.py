@@ -39,17 +39,14 @@ def show(found: Collected, *names: str) -> None:
 
 def table_of_rates(found: Collected) -> str:
     """Return the measured rates beside those of theory, as text."""
+    names = ("name", "times", "times_theory", "discontinuous", "discontinuous_theory")
     rows: list[tuple[str, ...]] = [("expansion", "times", "theory", "jump", "theory")]
-    rows += [tuple(row[name] for name in ROW) for row in rates(found)]
+    rows += [tuple(row[name] for name in names) for row in rates(found)]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join(
         "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
         for row in rows
     )
-
-
-#: What a line of the table of rates has.
-ROW = ("name", "times", "times_theory", "discontinuous", "discontinuous_theory")
 
 
 def overshoots(found: Collected) -> str:
