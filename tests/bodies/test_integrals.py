@@ -33,7 +33,11 @@ TOLERANCE = 4e-15
 
 
 def legendre(n: int, u: mp.mpf) -> mp.mpf:
-    return mp.legendre(n, 2 * u - 1)
+    """Return a Legendre polynomial on [0, 1]; its recurrence is far quicker than mpmath."""
+    before, found, x = mp.mpf(0), mp.mpf(1), 2 * u - 1
+    for k in range(n):
+        before, found = found, ((2 * k + 1) * x * found - k * before) / (k + 1)
+    return found
 
 
 def panels(kappa: complex) -> list[mp.mpf]:
@@ -45,7 +49,7 @@ def test_moments(kappa: complex) -> None:
     found, k = moments(np.array([kappa], dtype=complex), 12)[:, 0], mp.mpc(kappa)
     with mp.workdps(30):
         for m in (0, 1, 2, 5, 11):
-            exact = mp.quad(lambda u, m=m: legendre(m, u) * mp.exp(k * u), panels(kappa))
+            exact = mp.quadgl(lambda u, m=m: legendre(m, u) * mp.exp(k * u), panels(kappa))
             scale = max(1.0, float(np.exp(np.real(kappa))))
             assert abs(complex(exact) - found[m]) <= TOLERANCE * scale
 
@@ -81,7 +85,7 @@ def test_responses(kappa: complex) -> None:
                     for x, q in zip(nodes, weights, strict=True)
                 )
 
-            exact = mp.quad(lambda w: mp.exp(k * w) * inner(w), panels(kappa))
+            exact = mp.quadgl(lambda w: mp.exp(k * w) * inner(w), panels(kappa))
             scale = max(1.0, float(np.exp(np.real(kappa))))
             assert abs(complex(exact) - found[m, n]) <= TOLERANCE * scale
 

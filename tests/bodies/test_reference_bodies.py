@@ -46,37 +46,24 @@ def error(r: Reference, found: ExactOrbit | Solution) -> float:
     return max(off, abs(turn) / (2 * math.pi) * r.cycles)
 
 
-def exact_orbit(r: Reference) -> ExactOrbit:
-    times, count = start(r), len(r.durations)
-    angle = 0.0 if r.angle is None else float(times[-1])
-    return from_times(case(r.name), RoughTimes(tuple(times[:count]), angle, "near"))
-
-
 @EVERY
 def test_exact_orbit(r: Reference) -> None:
-    found = exact_orbit(r)
+    """Its times, states and multipliers; ghosts are refused, and orbits are not."""
+    times, count = start(r), len(r.durations)
+    angle = 0.0 if r.angle is None else float(times[-1])
+    found = from_times(case(r.name), RoughTimes(tuple(times[:count]), angle, "near"))
     assert found.outcome.converged
     assert error(r, found) <= 1e-13
+    assert found.admissible == r.admissible == (not found.violations), found.violations
+    multipliers = np.asarray(found.multipliers)
+    assert np.abs(multipliers).max() == pytest.approx(r.radius, rel=1e-11)
+    for value in r.multipliers:
+        assert np.abs(multipliers - value).min() <= 1e-11 * max(1.0, r.radius)
     column, count = body(r).arrays["at"].dense()[:, 0], body(r).size
     for phase, state in zip(found.phases, r.states, strict=False):
         x, v = (float(column @ state[i * count : (i + 1) * count]) for i in (0, 1))
         assert phase.displacement == pytest.approx(x, abs=1e-12)
         assert phase.velocity == pytest.approx(v, abs=1e-10)
-
-
-@EVERY
-def test_ghosts_are_refused_and_orbits_are_not(r: Reference) -> None:
-    found = exact_orbit(r)
-    assert found.admissible == r.admissible, found.violations
-    assert bool(found.violations) != r.admissible
-
-
-@EVERY
-def test_multipliers(r: Reference) -> None:
-    found = np.asarray(exact_orbit(r).multipliers)
-    assert np.abs(found).max() == pytest.approx(r.radius, rel=1e-11)
-    for value in r.multipliers:
-        assert np.abs(found - value).min() <= 1e-11 * max(1.0, r.radius)
 
 
 @EVERY

@@ -13,7 +13,6 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-import pytest
 from shown import ROOT
 
 from nonsmooth.codegen import scenes
@@ -109,6 +108,7 @@ def test_the_words_come_from_the_records() -> None:
     assert named(ROOT / "codegen" / "scenes" / "impact.py")
 
 
+@cache
 def literals(path: Path) -> set[str]:
     """Return the texts of a file's code: its string literals."""
     tree = ast.parse(path.read_text("utf-8"))
@@ -116,19 +116,19 @@ def literals(path: Path) -> set[str]:
     return {value for value in nodes if isinstance(value, str)}
 
 
-GENERIC = [q for q in sources() if not OWN.search(str(q.relative_to(ROOT)))]
+#: Generic files, by their place below the root.
+GENERIC = {str(q.relative_to(ROOT)): q for q in sources()}
+GENERIC = {place: q for place, q in GENERIC.items() if not OWN.search(place)}
 
 
-@pytest.mark.parametrize("path", GENERIC, ids=lambda q: str(q.relative_to(ROOT)))
-def test_a_generic_file_names_no_scene(path: Path) -> None:
-    assert named(path) == set()
+def test_a_generic_file_names_no_scene() -> None:
+    assert {place: found for place, q in GENERIC.items() if (found := named(q))} == {}
 
 
-@pytest.mark.parametrize("path", GENERIC, ids=lambda q: str(q.relative_to(ROOT)))
-def test_no_text_of_a_generic_file_is_the_name_of_a_scene(path: Path) -> None:
+def test_no_text_of_a_generic_file_is_the_name_of_a_scene() -> None:
     names = {spelled for name in scenes.names() for spelled in (name, name.replace("-", "_"))}
-    allowed = MAY_SAY.get(str(path.relative_to(ROOT)), set())
-    assert literals(path) & names == allowed
+    said = {place: literals(q) & names for place, q in GENERIC.items()}
+    assert {place: found for place, found in said.items() if found} == MAY_SAY
 
 
 def prose(text: str) -> set[str]:
@@ -138,10 +138,12 @@ def prose(text: str) -> set[str]:
     return set(re.findall(r"[a-z0-9]+", plain.lower())) & words()
 
 
-@pytest.mark.parametrize("path", GENERIC, ids=lambda q: str(q.relative_to(ROOT)))
-def test_docstrings_help_and_messages_of_a_generic_file_speak_of_no_scene(path: Path) -> None:
-    found = set().union(*(prose(text) for text in literals(path) if " " in text))
-    assert found <= SPOKEN_OF.get(str(path.relative_to(ROOT)), set())
+def test_docstrings_help_and_messages_of_a_generic_file_speak_of_no_scene() -> None:
+    wrong = {}
+    for place, path in GENERIC.items():
+        found = set().union(*(prose(text) for text in literals(path) if " " in text))
+        wrong[place] = found - SPOKEN_OF.get(place, set())
+    assert {place: found for place, found in wrong.items() if found} == {}
 
 
 def test_no_folder_has_more_files_than_one_can_look_through() -> None:
