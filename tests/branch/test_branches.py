@@ -357,28 +357,6 @@ def test_the_command_writes_what_python_has(found: ns.Branch, run, tmp_path: Pat
     assert out.splitlines()[-1].startswith("Omega from 0.8 (the end of the range) to 1.3")
 
 
-@pytest.mark.parametrize(
-    ("flags", "words"),
-    [
-        (
-            ("--vary", "frequency=1:2:10"),
-            "--vary: got 'frequency=1:2:10', expected NAME=FROM:TO",
-        ),
-        (("--vary", "speed=1:2"), "--vary: unknown parameter 'speed'"),
-        (("--vary", "frequency=1:1"), "--vary: got 'frequency=1:1', expected two different"),
-        (("--vary", "frequency=-1:2"), "frequency: got -1.0"),
-        (("--vary", "frequency=1:2", "--from-orbit", "none.json"), "cannot read none.json"),
-        ((), "Missing option '--vary'"),
-        (("--vary", "frequency=1:2", "--attractors"), "--attractors: expected beside --output"),
-        (("--vary", "frequency=1:2", "--all", "-o", "all.csv"), "beside --all, expected .json"),
-    ],
-)
-def test_flags_that_cannot_be_meant(run, flags, words: str) -> None:
-    status, out, err = run("branch", "clearance", *flags)
-    assert (status, out) == (2, "")
-    assert words in err
-
-
 def test_a_branch_from_an_orbit_in_a_file(run, tmp_path: Path) -> None:
     path = tmp_path / "orbit.json"
     assert run("solve", *FLAGS, "--method", "ck-tau", "-o", path)[0] == 0

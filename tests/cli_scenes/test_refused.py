@@ -20,6 +20,15 @@ REFUSED = {
         ("", "--order"),
     ],
     "equations": [
+        ("imapct", "SCENE: got 'imapct', expected one of absorber-friction, backlash, "),
+        ("imapct", "did you mean impact?"),
+        ("impact --method c1", "impact is C0"),
+        ("impact --method hbc0", "did you mean hb-c0?"),
+        ("impact --method hb --functions 2", "--functions: got 2"),
+        ("impact --method hb-ck --functions 0", "--functions: got 0"),
+        ("none.py", "none.py: there is no such file"),
+        ("string-spring --method hb", "--method: got 'hb', expected one of ritz, ritz-ck, ck"),
+        ("string-spring --functions 2", "--functions: got 2"),
         ("--method galerkin", "--method: got 'galerkin', expected one of hb, hb-c1"),
         ("--format word", "--help"),
         ("--format latex -o a.html", "a.html with --format latex"),
@@ -70,6 +79,10 @@ REFUSED = {
         ("--norm 3", "stick-slip has no --norm. Did you mean --normal-force? (see"),
         ("--c1-terms 3", "--functions K, with --method hb-ck"),
         ("--xyz 3", "--mu-k, --normal-force. (see nonsmooth solve --help)"),
+        *(
+            (f"--tol={tol}", f"--tol: got {float(tol)}, expected a number between 0 and 1")
+            for tol in ("0", "-1e-3", "1", "nan", "inf")
+        ),
         ("--mu-k=-0.1", "mu_k"),
         ("--mu-k=nan", "mu_k"),
         ("--mu-k=inf", "mu_k"),
@@ -122,6 +135,27 @@ REFUSED = {
     "branch impact": [
         ("--vary gap=0:1 --vary mass=1:2", "--vary: got gap=0:1 and mass=1:2, expected one"),
     ],
+    "branch clearance": [
+        ("--vary frequency=1:2:10", "--vary: got 'frequency=1:2:10', expected NAME=FROM:TO"),
+        ("--vary speed=1:2", "--vary: unknown parameter 'speed'"),
+        ("--vary frequency=1:1", "--vary: got 'frequency=1:1', expected two different"),
+        ("--vary frequency=-1:2", "frequency: got -1.0"),
+        ("--vary frequency=1:2 --from-orbit none.json", "cannot read none.json"),
+        ("", "Missing option '--vary'"),
+        ("--vary frequency=1:2 --attractors", "--attractors: expected beside --output"),
+        ("--vary frequency=1:2 --all -o all.csv", "beside --all, expected .json"),
+    ],
+    "map impact --vary gap=0:1:5": [
+        ("", "--vary: got gap=0:1:5, expected two parameters"),
+        ("--vary gap=1:2:5", "--vary: got gap=0:1:5 and gap=1:2:5, expected two"),
+        ("--vary mass=1:2:1", "--vary: got '1' points, expected a whole number from 2"),
+        ("--vary speed=1:2:5", "--vary: unknown parameter 'speed'"),
+        ("--vary mass=-1:2:5", "mass: got -1.0"),
+        ("--vary damping=1:2:5 --damping 0", "--damping: given beside --vary damping"),
+    ],
+    "map impact --vary gap=0:1:5000": [
+        ("--vary mass=1:2:5000", "axes: got 5000 by 5000 points"),
+    ],
     "modes": [
         ("beam-mas", "did you mean beam-mass?"),
         ("--position 1/3 beam-mass", "--position: expected STRUCTURE before it"),
@@ -157,6 +191,13 @@ REFUSED = {
         ("beam-mass --vary mass=1:2:3 --method all", "expected one method"),
         ("beam-mass -o modes.txt", "-o: got modes.txt, expected a name that ends in"),
     ],
+    "modes beam-mass --shapes": [
+        ("5", "--shapes: expected -o FILE that ends in one of .json, .csv, .nc"),
+        ("5 -o a.png", "--shapes: expected -o FILE that ends in one of .json, .csv, .nc"),
+        ("1 --json", "--shapes: got 1, expected a whole number from 2 to 1000000"),
+        ("5 --json --method all", "--shapes: got --method all with it, expected one method"),
+        ("5 --json --vary mass=1:2:2", "--shapes: got --vary with it, expected one structure"),
+    ],
     "modes beam-spring --position 1/2": [
         ("--stiffness -48", "--stiffness: got -48.0, expected more than the critical"),
         ("--vary stiffness=-50:-40:3", "critical stiffness -48 N/m, at which the beam"),
@@ -183,6 +224,12 @@ REFUSED = {
         ("impact --state 1,2", "flight not true that the mass stays before the stop"),
         ("impact --cycles 0", "--cycles: got 0.0, expected a positive number"),
         ("impact --vary gap=0:1:3 --gap 1", "--gap: given beside --vary gap, which sets it"),
+        ("impact --vary gap=1:2:3 --grid x=0:1:2", "--grid: got x=0:1:2 beside --vary"),
+        ("impact --grid x=0:1:2", "expected one for x and one for v"),
+        ("impact --grid y=0:1:2 --grid v=0:1:2", "--grid: unknown parameter 'y'"),
+        ("impact --vary gap=1:2:3 --state 0,0", "--state: got 0,0 beside --vary"),
+        ("impact --vary gap=1:2:3 --cycles 1.5", "--cycles: got 1.5 beside --vary"),
+        ("impact --transient 5", "--transient: got 5, expected beside --vary"),
         ("impact --vary gap=0:1:3 --vary mass=1:2:3", "mass=1:2:3, expected one of them"),
         ("impact --time -1", "--time: got -1.0, expected a positive number"),
         ("impact --time 1 --cycles 2", "--time: got 1.0 beside cycles"),

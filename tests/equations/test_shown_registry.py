@@ -111,25 +111,6 @@ def test_numbers_of_c1_functions_are_where_a_motion_is_c1(
     assert not any(q.number for q in scene_equations(scene_named(scene)))
 
 
-@pytest.mark.parametrize(
-    ("arguments", "named"),
-    [
-        (("imapct",), "SCENE: got 'imapct', expected one of absorber-friction, backlash, "),
-        (("imapct",), "did you mean impact?"),
-        (("impact", "--method", "c1"), "impact is C0"),
-        (("impact", "--method", "hbc0"), "did you mean hb-c0?"),
-        (("impact", "--method", "hb", "--functions", "2"), "--functions: got 2"),
-        (("impact", "--method", "hb-ck", "--functions", "0"), "--functions: got 0"),
-        (("none.py",), "none.py: there is no such file"),
-    ],
-)
-def test_what_is_not_there_is_one_line(run, arguments: tuple[str, ...], named: str) -> None:
-    status, out, err = run("equations", *arguments)
-    assert (status, out) == (2, "")
-    assert named in err
-    assert err.count("\n") == 1
-
-
 SCENE_FILE = """
 import sympy as sp
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, v, x

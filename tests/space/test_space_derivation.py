@@ -162,10 +162,3 @@ def test_the_equations_of_every_structure_are_shown(run) -> None:
         )
         assert status == 0
         assert "string" in out
-
-
-def test_what_cannot_be_shown_is_said(run) -> None:
-    status, _, err = run("equations", "string-spring", "--method", "hb")
-    assert (status, "--method: got 'hb', expected one of ritz, ritz-ck, ck" in err) == (2, True)
-    status, _, err = run("equations", "string-spring", "--functions", "2")
-    assert (status, "--functions: got 2" in err) == (2, True)

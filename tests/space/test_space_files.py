@@ -128,18 +128,3 @@ def test_the_command_writes_shapes(run, tmp_path: Path) -> None:
         assert "omega [rad/s]" in out
         assert (tmp_path / f"own-{name}").read_bytes() == (tmp_path / name).read_bytes()
     assert run(*given, "--json")[1] == (tmp_path / "shapes.json").read_text("utf-8")
-
-
-@pytest.mark.parametrize(
-    ("flags", "words"),
-    [
-        (("5",), "expected -o FILE that ends in one of .json, .csv, .nc"),
-        (("5", "-o", "shapes.png"), "expected -o FILE that ends in one of .json, .csv, .nc"),
-        (("1", "--json"), "got 1, expected a whole number from 2 to 1000000"),
-        (("5", "--json", "--method", "all"), "got --method all with it, expected one method"),
-        (("5", "--json", "--vary", "mass=1:2:2"), "got --vary with it, expected one structure"),
-    ],
-)
-def test_shapes_that_cannot_be_written_are_refused(run, flags: tuple[str, ...], words) -> None:
-    status, out, err = run("modes", "beam-mass", "--shapes", *flags)
-    assert (status, out, err) == (2, "", f"nonsmooth: --shapes: {words}\n")
