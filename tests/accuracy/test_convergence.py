@@ -41,11 +41,11 @@ def test_a_short_sweep_prints_no_rate(run) -> None:
 
 def test_the_rates_of_the_paper_s_methods() -> None:
     """1/N and about N**-3; the acceleration N**-1/2 and N**-3/2, with its jumps aligned."""
-    rates = ns.sweep(DEFAULT, "hb", range(50, 250, 20)).rates()
+    rates = ns.sweep(DEFAULT, "hb", range(60, 180, 20)).rates()
     assert rates["hb"].times == pytest.approx(1, abs=0.01)
     assert rates["hb"].discontinuous == pytest.approx(0.5, abs=0.01)
     # These errors are larger or smaller by the order: the rate is that of many together.
-    rates = ns.sweep(DEFAULT, "hb-c1", range(50, 150, 3)).rates()
+    rates = ns.sweep(DEFAULT, "hb-c1", range(30, 90, 2)).rates()
     assert rates["hb-c1"].times == pytest.approx(3, abs=0.3)
     assert rates["hb-c1"].discontinuous == pytest.approx(1.5, abs=0.1)
 

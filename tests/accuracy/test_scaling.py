@@ -25,7 +25,7 @@ def in_other_units(belt: ns.StickSlip, kg: float, m: float, s: float) -> ns.Stic
     )
 
 
-@settings(max_examples=60)
+@settings(max_examples=30)
 @given(METHODS, scale, scale, scale)
 def test_change_of_units_changes_nothing_but_units(
     method: tuple[str, int], kg: float, m: float, s: float
@@ -50,7 +50,7 @@ def belt_length(orbit: StickSlipOrbit) -> float:
     return float(np.abs(orbit.displacement(np.linspace(0, orbit.period, 50))).max())
 
 
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(METHODS, st.floats(0, 0.9), st.floats(0.1, 2))
 def test_only_the_drop_of_friction_matters_beside_a_shift(
     method: tuple[str, int], mu_k: float, drop: float
@@ -79,7 +79,7 @@ def test_fourier_orbits_are_odd_about_the_middle_of_stick(method: str, order: in
     np.testing.assert_allclose(ahead, -behind, atol=1e-13)
 
 
-@settings(max_examples=60)
+@settings(max_examples=30)
 @given(st.floats(-3, 3).map(lambda exponent: 10.0**exponent))
 def test_c1_of_order_20_is_exact_to_rounding_over_six_decades(alpha: float) -> None:
     belt = ns.StickSlip(

@@ -42,8 +42,8 @@ def test_the_times_are_within_the_tolerance(exponent: float, digits: float) -> N
 @settings(max_examples=EXAMPLES // 80)
 @given(
     st.one_of(
-        st.tuples(st.just("hb"), st.floats(-3, -1.5)),
-        st.tuples(st.just("hb-c1"), st.floats(-4.5, -2)),
+        st.tuples(st.just("hb"), st.floats(-2.5, -1.5)),
+        st.tuples(st.just("hb-c1"), st.floats(-4, -2)),
         st.tuples(st.just("c1"), st.floats(-11, -2)),
     ),
     st.floats(-1, 0.7),
@@ -89,12 +89,6 @@ def test_errors_that_do_not_fall_yet_are_not_extrapolated() -> None:
     with pytest.raises(ns.NotCertified) as caught:
         ns.solve(case, "hb", tol=0.1)
     assert caught.value.needed < 1e6
-
-
-@pytest.mark.parametrize("value", ["0", "-1e-3", "1", "nan", "inf"])
-def test_a_tolerance_that_is_none(run, value: str) -> None:
-    status, out, err = run("solve", f"--tol={value}")
-    assert (status, out, "--tol: got" in err, "between 0 and 1" in err) == (2, "", True, True)
 
 
 @pytest.mark.parametrize("tol", [np.True_, "1e-3", math.nan, math.inf, -0.1])

@@ -59,13 +59,12 @@ def test_equations_of_a_body(run, name: str, format_: str) -> None:
 
 
 def test_a_diagram_and_basins_of_a_body(run) -> None:
-    vary = ("--vary", "gap=0.4:0.6:3", "--transient", 30, "--cycles", 4, "--json")
+    vary = ("--vary", "gap=0.4:0.6:3", "--transient", 10, "--cycles", 4, "--json")
     status, out, _ = run("simulate", "chain-impact", *vary)
     assert status == 0
     assert [len(each) for each in json.loads(out)["states"]] == [4, 4, 4]
-    status, out, _ = run(
-        "simulate", "chain-impact", "--grid", "x=-0.5:0:2", "--grid", "v=0:0.5:2", "--json"
-    )
+    grid = ("--grid", "x=-0.5:0:2", "--grid", "v=0:0.5:2", "--cycles", 40)
+    status, out, _ = run("simulate", "chain-impact", *grid, "--json")
     assert status == 0
     assert np.shape(json.loads(out)["index"]) == (2, 2)
 

@@ -54,7 +54,7 @@ DAMPINGS = pytest.mark.parametrize("damping", [0.0, 0.2, 100.0])
 @DAMPINGS
 def test_states_grow_as_exact_exponentials(omega: float, damping: float) -> None:
     n, generator = 4, two_modes(omega, damping)
-    for t in (1e-9, 1e-3, 0.1, 1.0, 7.0):
+    for t in (1e-9, 0.1, 7.0):
         wanted = exact(generator, t)
         size = np.abs(wanted).max()
         known = tuple(q[None] for q in own_basis(generator, n))

@@ -6,6 +6,7 @@ stick-slip orbit: an ODE solver with events; of inelastic impacts: where the fli
 a rest hits the stop as it begins to press, or a period later, in 40 digits.
 """
 
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -92,6 +93,7 @@ RESPONSES = {
 }  # fmt: skip
 
 
+@cache
 def response(name: str) -> tuple[ns.Branch, list[tuple[str, float]]]:
     """Return a branch, and what is to happen on it."""
     scene, values, vary, ends, expected = RESPONSES[name]
@@ -369,7 +371,7 @@ def test_behind_a_touch_a_branch_has_one_impact_more(values, vary, ends) -> None
 def test_what_is_not_watched_ends_a_branch_by_the_solver(monkeypatch) -> None:
     """As if nothing were demanded: the orbits behind the second touch solve all equations."""
     monkeypatch.setattr(Course, "rows", lambda *found: [])
-    branch, (touch, _) = response("impact, a second touch")
+    branch, (touch, _) = response.__wrapped__("impact, a second touch")
     assert branch.why_it_ended[0].startswith("beyond, in flight, not true that the mass stays")
     assert branch["value"].min() > touch[1]
     assert [event.kind for event in branch.events] == ["flip"]

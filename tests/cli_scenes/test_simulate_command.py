@@ -74,10 +74,9 @@ def test_files_of_a_motion(run, tmp_path: Path) -> None:
     columns = {"t": t, "displacement": x, "velocity": v, "acceleration": a}
     for name, values in columns.items():
         assert [float(row[name]) for row in rows] == values.tolist()
-    for suffix in ("png", "svg", "pdf"):
-        path = tmp_path / f"m.{suffix}"
-        assert run("simulate", "impact", "--cycles", 2, "-o", path)[0] == 0
-        assert path.stat().st_size > 5000
+    path = tmp_path / "m.svg"
+    assert run("simulate", "impact", "--cycles", 2, "-o", path)[0] == 0
+    assert path.stat().st_size > 5000
 
 
 def test_what_is_drawn_is_the_motion_and_its_late_part() -> None:

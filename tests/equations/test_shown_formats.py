@@ -87,10 +87,10 @@ def test_a_page_is_well_formed_and_fetches_nothing(scene: str) -> None:
 BRACKETS = (r"\(|\\left\b", r"\)|\\right\b")
 
 
-@pytest.mark.parametrize("scene", ["stick-slip", "clearance"])
+@pytest.mark.parametrize("scene", tried(SCENES, every_run=EVERY_RUN))
 def test_a_line_of_latex_is_broken_only_in_brackets_that_bear_it(scene: str) -> None:
     """They have a fixed size, all others close on their line; short ones are not broken."""
-    for row in (q for part in sections(scene, ["hb", "ck"]) for q in part.equations):
+    for row in shown(scene):
         body = aligned(row)
         assert body.count(r"\biggl") == body.count(r"\biggr")
         for line in re.split(r"\\\\\n", re.sub(r"\\bigg[lr].", "", body)):

@@ -49,9 +49,9 @@ def test_a_stream_that_is_closed_takes_nothing_away(
         [
             "sweep --methods c1 --orders 1-20",
             "scenes impact --json",
-            "sweep --vary mass=1:2:100 --orders 5 --json",
+            "modes beam-mass --shapes 2000 --json",
         ],
-        every_run=["scenes impact --json", "sweep --vary mass=1:2:100 --orders 5 --json"],
+        every_run=["scenes impact --json", "modes beam-mass --shapes 2000 --json"],
     ),
 )
 def test_a_reader_that_leaves_at_once_is_no_error(command: str, tmp_path: Path) -> None:

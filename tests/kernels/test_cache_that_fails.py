@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numba
 import pytest
+from every_run import tried
 
 import nonsmooth
 from nonsmooth.cli.problems import print_warnings
@@ -69,9 +70,11 @@ def damage(files: list[Path], dice: random.Random) -> None:
         first.write_bytes(content[:size] + bytes(lost))
 
 
-@pytest.mark.parametrize(
-    "seed", [*range(15), *(pytest.param(n, marks=pytest.mark.long) for n in range(15, 300))]
-)
+#: Seeds of each kind of damage, to the code and, as a rule, to the index.
+EACH_KIND = (0, 3, 6, 7, 9, 13, 14)
+
+
+@pytest.mark.parametrize("seed", tried(range(300), every_run=EACH_KIND))
 def test_damaged_files_are_compiled_anew(seed: int, double) -> None:
     triple, files = filled(double)
     damage(files, random.Random(seed))

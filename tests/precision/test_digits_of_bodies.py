@@ -21,6 +21,9 @@ from nonsmooth.solver.precision.refine import refine
 
 SCENES = tuple(name for name in registry.names() if registry.load(name).has_body)
 
+#: Of a beam a few modes: of twenty each step in balls takes seconds.
+FEW = {scene: {"modes": 6} for scene in SCENES if scene.startswith("beam")}
+
 #: Where balls take seconds, for many modes.
 COSTLY = {"all modes"}
 
@@ -31,7 +34,7 @@ EXTREMES = [
         marks=pytest.mark.long if words in COSTLY else [],
     )
     for scene in SCENES
-    for words, case_ in digits.extremes(registry.load(scene)())
+    for words, case_ in digits.extremes(registry.load(scene)(**FEW.get(scene, {})))
 ]
 
 #: Each law, an order of six phases, a body of poles that damping couples, one that nothing

@@ -34,6 +34,7 @@ def folder(tmp_path_factory, found: Intervals) -> Path:
     made = tmp_path_factory.mktemp("report") / "made"
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(build, "scan", lambda belt, parts, done, run: found)
+        patch.setattr(build, "Case", shared)
         output.write_folder(made, lambda target: build.build(DEFAULT, target, print))
     return made
 

@@ -10,6 +10,7 @@ from one_mass import NAMES
 from written import Elements
 
 import nonsmooth as ns
+from nonsmooth.report import pictures
 from nonsmooth.report.pictures import figure
 from nonsmooth.report.scenes import collected, gallery
 from nonsmooth.report.scenes import scene_figures as figures
@@ -194,6 +195,7 @@ def test_a_page_on_a_structure(run, tmp_path: Path, monkeypatch) -> None:
     """Of impulses alone each order is exact; of many multipliers the largest are told."""
     monkeypatch.setattr(collected, "POWER_ORDERS", (8, 16))
     monkeypatch.setattr(collected, "FACTOR_ORDERS", (4, 6))
+    monkeypatch.setattr(pictures, "SUFFIXES", (".svg",))
     texts = []
     for name in ("chain-impact", "jenkins-absorber"):
         target = tmp_path / name

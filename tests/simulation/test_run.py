@@ -25,10 +25,14 @@ from nonsmooth.solver.simulation.walk import Place, follow
 SCENES = (*one_mass.NAMES, "impacts and a rest")
 BODIES = tuple(name for name in registry.names() if registry.load(name).has_body)
 
+#: Of a beam a few modes: each is one more of the same.
+FEW = {"modes": 3}
+
 
 def drawn(name, count):
     """Return the machine of a scene, and random states that a phase of it takes."""
-    case = registry.load(name)().of_fullest() if name in registry.names() else resting(0.5)
+    scene = registry.load(name) if name in registry.names() else None
+    case = scene(**FEW if "beam" in name else {}).of_fullest() if scene else resting(0.5)
     machine, random = machine_of(case.cell), np.random.default_rng(1)
     found, turn = [machine.at_rest(0.0)], float(case.cell.forced)
     while len(found) < count:

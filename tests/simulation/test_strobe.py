@@ -126,11 +126,9 @@ def test_what_a_motion_remembers_is_handed_on() -> None:
         (lambda: ns.diagram(STOP, "gap", [0.1], -1), "transient: got -1"),
         (lambda: ns.diagram(STOP, "gap", [0.1], 1, 0), "cycles: got 0"),
         (lambda: ns.diagram(ns.scene("stick-slip")(), "mass", [1.0]), "nothing forces"),
-        (lambda: ns.basins(STOP, [], [0.0]), "x: got"),
         (lambda: ns.basins(STOP, [0.0], [math.nan]), "v: got"),
-        (lambda: ns.basins(STOP, 0.0, [0.0]), "x: got 0.0"),
+        (lambda: ns.basins(STOP, [], [0.0]), "x: got"),
         (lambda: ns.basins(STOP, [1e308], [0.0]), r"x: got \[1e.308\]"),
-        (lambda: ns.diagram(STOP, "gap", 0.1), "values: got 0.1"),
         (lambda: ns.basins(STOP, [0.0], [0.0], 5), "cycles: got 5"),
     ],
 )
@@ -145,14 +143,14 @@ FLAGS = ("--force", 0.3, "--damping", 0.1, "--gap", 1, "--frequency", 1.2)
 
 
 def test_the_command_has_the_basins(found, run, tmp_path: Path) -> None:
-    path, axis = tmp_path / "basins.csv", "=-4:4:5"
+    path, axis = tmp_path / "basins.csv", "=-4:4:3"
     grid = ("--grid", f"x{axis}", "--grid", f"v{axis}", "--cycles", 200)
     status, out, _ = run("simulate", "clearance", *FLAGS, *grid, "--json", "-o", path)
     document = json.loads(out)
     assert status == 0
-    assert document["index"] == found.index.tolist()
+    assert document["index"] == found.index[::2, ::2].tolist()
     assert [each["cycles"] for each in document["attractors"]] == [1, 1]
-    assert len(path.read_text().splitlines()) == 26
+    assert len(path.read_text().splitlines()) == 10
     figure = basins_figure(found)
     assert len(figure.axes[0].lines) == 2
 
@@ -166,20 +164,3 @@ def test_the_command_has_the_diagram(run, tmp_path: Path) -> None:
     assert document["values"] == [0.7, 0.8, 0.9]
     assert [len(states) for states in document["states"]] == [2, 2, 2]
     assert target.exists()
-
-
-@pytest.mark.parametrize(
-    ("flags", "words"),
-    [
-        (("--vary", "gap=1:2:3", "--grid", "x=0:1:2"), "--grid: got x=0:1:2 beside --vary"),
-        (("--grid", "x=0:1:2"), "expected one for x and one for v"),
-        (("--grid", "y=0:1:2", "--grid", "v=0:1:2"), "--grid: unknown parameter 'y'"),
-        (("--vary", "gap=1:2:3", "--state", "0,0"), "--state: got 0,0 beside --vary"),
-        (("--vary", "gap=1:2:3", "--cycles", 1.5), "--cycles: got 1.5 beside --vary"),
-        (("--transient", 5), "--transient: got 5, expected beside --vary"),
-    ],
-)
-def test_flags_that_do_not_go_together(run, flags, words: str) -> None:
-    status, out, err = run("simulate", "clearance", *flags)
-    assert (status, out) == (2, "")
-    assert words in err

@@ -52,7 +52,7 @@ def test_at_the_critical_stiffness_and_beyond_it_is_named(name: str, place: str)
 @pytest.mark.parametrize("method", EXPANSIONS)
 def test_the_lowest_eigenvalue_goes_to_zero(name: str, method: tuple[str, int, int]) -> None:
     """Like what is left of the stiffness, which keeps its digits; of sines it stays above."""
-    for place in PLACES:
+    for place in ("1/4", "1/2", "0.0003"):  # at a node and beside an end
         whole, last = critical(name, Fraction(place)), np.inf
         for part in (1e-2, 1e-5, 1e-8, 1e-12):
             one = attached(name, place, float(whole) * (1 - part))

@@ -28,6 +28,10 @@ def test_there_are_210_of_them() -> None:
     assert len({of(each).structure.name for each in references()}) == 7
 
 
+#: Some of them for each expansion: of all structures, places and strengths.
+SOME = references()[::4]
+
+
 @cache
 def exact() -> list[ExactModes]:
     """Return the exact modes of each."""
@@ -61,7 +65,7 @@ def test_ritz_values_are_those_of_the_matrices(
     key: str, order: int, forced: tuple[int, ...]
 ) -> None:
     compared = 0
-    for each in references():
+    for each in SOME:
         wanted = each.get("galerkin", {}).get(key, [])
         one = of(each)
         roots = secular.eigenvalues(ritz_forced(one, order, forced), one, COUNT)
@@ -70,12 +74,12 @@ def test_ritz_values_are_those_of_the_matrices(
             if value is not None:
                 compared += 1
                 assert found == pytest.approx(float(value), rel=PRINTED, abs=0), each
-    assert compared > 150
+    assert compared > 35
 
 
 def test_values_of_the_piecewise_series_are_those_of_the_matrices() -> None:
     compared = 0
-    for each in references():
+    for each in SOME:
         wanted = each.get("galerkin", {}).get("ck, N = 4", [])
         one = of(each)
         found = secular.eigenvalues(piecewise(one, 4), one, 3).values
@@ -84,11 +88,11 @@ def test_values_of_the_piecewise_series_are_those_of_the_matrices() -> None:
             # of a crack a digit more is lost: the inner products with the function that jumps
             off = 2 * PRINTED if one.structure.kind == "compliance" else PRINTED
             assert value == pytest.approx(float(other), rel=off, abs=0), each
-    assert compared > 180
+    assert compared > 45
 
 
 def test_bounds_of_the_piecewise_series_hold_from_above() -> None:
-    for each in references():
+    for each in SOME:
         one = of(each)
         roots = secular.eigenvalues(piecewise(one, 12), one, 4)
         assert (bounds.above(roots) >= exact_values(each)[:4]).all(), each
@@ -97,7 +101,7 @@ def test_bounds_of_the_piecewise_series_hold_from_above() -> None:
 def test_two_forced_modes_and_32_sines_give_13_digits() -> None:
     """Of the modes whose truncation error is below that; N^-17 to N^-19, of strings N^-9."""
     reached = {"string-mass": 2, "string-spring": 1, "beam-crack": 5}
-    for each in references():
+    for each in SOME:
         one = of(each)
         roots = secular.eigenvalues(ritz_forced(one, 32, (1, 2)), one, COUNT)
         off = roots.values / exact_values(each) - 1
@@ -112,7 +116,7 @@ def test_two_forced_modes_and_32_sines_give_13_digits() -> None:
 )
 def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
     proved = 0
-    for each in references()[:: 1 if order == 8 else 3]:
+    for each in SOME:
         one = of(each)
         bare = ritz_forced(one, order, tuple(range(1, forced + 1)))
         roots = secular.eigenvalues(bare, one, 6)
@@ -125,7 +129,7 @@ def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
         known = ~np.isnan(low)
         assert (low[known] <= exact[known]).all(), each
         proved += int(known.sum())
-    assert proved > 300
+    assert proved > 150
 
 
 def assert_enclosed(one: Attached, method: str, order: int, forced: int) -> None:
@@ -168,7 +172,7 @@ def test_the_series_keeps_its_digits_with_a_crack_beside_an_end(
 
 
 def test_the_allowance_for_rounding_is_no_more_than_that() -> None:
-    for each in references()[::7]:
+    for each in SOME[::2]:
         one = of(each)
         roots = secular.eigenvalues(ritz_forced(one, 16, (1, 2)), one, 6)
         assert (roots.rounding < 2e-13 * roots.values).all(), each
