@@ -76,6 +76,14 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(10_000, 50, 100)
 
 
+@pytest.fixture(scope="session", autouse=True)
+def one_core() -> Iterator[None]:
+    """Let commands that start a process a core start one: each takes a second to begin."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(os, "cpu_count", lambda: 1)
+        yield
+
+
 @pytest.fixture(scope="session")
 def accounts() -> Iterator[list[Account]]:
     """Return the accounts of all kernels, as they are made."""

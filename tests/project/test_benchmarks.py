@@ -20,35 +20,52 @@ EVERYWHERE = {
 }
 
 
-def run(code: str, *arguments: str) -> str:
-    """Run a benchmark in a process without numba's compiler; what it prints."""
+#: Runs the benchmarks one after the other, in a process that does without numba's compiler.
+RUN = """
+import runpy, sys
+from benchmarks import scenes
+_, every, bodies = sys.argv
+for module, *arguments in (
+    ("every_scene", "elastic-plastic", "stick-slip-damped", "--fewest", "-o", every),
+    ("bodies", "2", "--fewest", "-o", bodies),
+):
+    sys.argv = [module, *arguments]
+    runpy.run_module(f"benchmarks.{module}", run_name="__main__")
+print("RIVALS")
+for p in scenes.measure(1, fewest=True):
+    print(p.scene, p.name, p.error, sep="; ")
+"""
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory) -> tuple[str, Path, Path]:
+    """Return what is printed, and the folders of scenes of one mass and of bodies."""
+    pytest.importorskip("flint")
+    every, bodies, cache = map(tmp_path_factory.mktemp, ("every", "bodies", "cache"))
+    own = {"NUMBA_DISABLE_JIT": "1", "XDG_CACHE_HOME": str(cache)}
     found = subprocess.run(
-        [sys.executable, *code.split(), *arguments],
+        [sys.executable, "-c", RUN, str(every), str(bodies)],
         cwd=ROOT,
-        env={**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONDONTWRITEBYTECODE": "1"},
+        env={**os.environ, **own, "PYTHONDONTWRITEBYTECODE": "1"},
         capture_output=True,
         text=True,
         check=False,
     )
     assert found.returncode == 0, found.stderr
-    return found.stdout
+    return found.stdout, every, bodies
 
 
-@pytest.fixture(scope="module")
-def every_scene(tmp_path_factory) -> tuple[list[dict], str, Path]:
-    folder = tmp_path_factory.mktemp("every")
-    scenes = ("elastic-plastic", "stick-slip-damped")
-    out = run("-m benchmarks.every_scene", *scenes, "--fewest", "-o", str(folder))
-    points = json.loads((folder / "every_scene.json").read_text("utf-8"))["points"]
-    return points, out, folder
+def points_in(file: Path) -> list[dict]:
+    return json.loads(file.read_text("utf-8"))["points"]
 
 
 @pytest.mark.parametrize(
     ("scene", "more"),
     [("elastic-plastic", {"AFT, NumPy": 3e-3}), ("stick-slip-damped", {})],
 )
-def test_every_contender_finds_the_orbit(every_scene, scene, more) -> None:
-    points, out, folder = every_scene
+def test_every_contender_finds_the_orbit(ran, scene, more) -> None:
+    out, folder, _ = ran
+    points = points_in(folder / "every_scene.json")
     errors = {p["name"]: p["error"] for p in points if p["scene"] == scene}
     errors.pop("AFT, harmonicbalance", None)  # where it is installed
     expected = {**EVERYWHERE, **more}
@@ -56,7 +73,8 @@ def test_every_contender_finds_the_orbit(every_scene, scene, more) -> None:
     assert all(errors[name] < most for name, most in expected.items()), errors
     assert all(p["seconds"] > 0 for p in points)
     assert (folder / f"speed_{scene}.png").stat().st_size > 10_000
-    assert sum(line.startswith(scene) for line in out.splitlines()) == len(
+    printed = out.partition("RIVALS")[0].splitlines()
+    assert sum(line.startswith(scene) for line in printed) == len(
         [p for p in points if p["scene"] == scene]
     )
 
@@ -73,25 +91,18 @@ OF_BODIES = {
 }
 
 
-def test_every_code_for_bodies_finds_the_orbit(tmp_path, monkeypatch) -> None:
-    pytest.importorskip("flint")
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    run("-m benchmarks.bodies", "2", "--fewest", "-o", str(tmp_path))
-    points = json.loads((tmp_path / "bodies.json").read_text("utf-8"))["points"]
-    errors = {p["name"]: p["error"] for p in points}
+def test_every_code_for_bodies_finds_the_orbit(ran) -> None:
+    *_, folder = ran
+    errors = {p["name"]: p["error"] for p in points_in(folder / "bodies.json")}
     errors.pop("AFT, pyHarm", None)  # where it is installed
     assert errors.keys() == OF_BODIES.keys()
     assert all(errors[name] < most for name, most in OF_BODIES.items()), errors
-    assert (tmp_path / "bodies.png").stat().st_size > 10_000
+    assert (folder / "bodies.png").stat().st_size > 10_000
 
 
-def test_the_two_scenes_with_rivals_by_hand_are_timed() -> None:
+def test_the_two_scenes_with_rivals_by_hand_are_timed(ran) -> None:
     """At the first setting of each contender."""
-    code = (
-        "from benchmarks import scenes\n"
-        "for p in scenes.measure(1, fewest=True): print(p.scene, p.name, p.error, sep='; ')"
-    )
-    rows = [line.split("; ") for line in run("-c", code).splitlines()]
+    rows = [line.split("; ") for line in ran[0].partition("RIVALS\n")[2].splitlines()]
     assert {scene for scene, _, _ in rows} == {"impact", "stick-slip-damped"}
     assert len(rows) > 16
     for _, name, error in rows:

@@ -47,6 +47,7 @@ def test_processes_find_the_same_intervals(monkeypatch) -> None:
     poorest = next(claim for claim in CLAIMS if claim.name == "poorest")
     parts = [CLAIMS[0].parts[0], poorest.parts[0]]
     monkeypatch.setattr(intervals, "grid", lambda: [0.3, 0.5, 1.0])
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
     alone, told = intervals.scan(DEFAULT, parts), []
     with workers.pool() as processes:
         assert intervals.scan(DEFAULT, parts, told.append, processes.map) == alone
