@@ -241,14 +241,14 @@ def test_ranges_over_which_series_do_not_converge_are_refused(
 ) -> None:
     """A kick changes the velocity by I/m: over a decade that is a series of many terms."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(charts, "LINES", 2)
+    monkeypatch.setattr(lines, "VALUES", 2)
     clock = str(ROOT / "examples/scenes/escapement.py")
     wide = ("--vary", "mass=0.01:5:2", "--vary", "kick=0.1:0.2:2")
     status, out, err = run("map", clock, *wide)
     assert (status, out) == (2, "")
     words = "--mass: got values from 0.01 to 5, and of kick from 0.1 to 0.2, over which"
     assert words in err
-    monkeypatch.setattr(charts, "LINES", 2)
-    monkeypatch.setattr(lines, "VALUES", 2)
     decade = ns.chart(ns.scene(clock)(), {"mass": (0.5, 5.0, 2), "kick": (0.1, 0.2, 2)})
     assert decade.motion == [["swing", "swing"]] * 2
 
