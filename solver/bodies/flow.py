@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arrays import Complex, Matrix, Vector
 from .laws import Lawful
-from .modes import BodyError
+from .systems import BodyError
 
 #: Condition of an eigenbasis beyond which it keeps too few digits.
 WORST = 1e9

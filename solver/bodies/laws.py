@@ -13,7 +13,7 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from .modal import Modal
-from .modes import BodyError
+from .systems import BodyError
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell, BodyPhase

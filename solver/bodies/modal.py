@@ -14,16 +14,8 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Complex, Indices, Matrix, Vector
-from .modes import (
-    DENSE,
-    BodyError,
-    Solve,
-    exact_product,
-    factored,
-    natural_modes,
-    signs,
-    solver,
-)
+from .modes import DENSE, natural_modes, signs
+from .systems import BodyError, Solve, exact_product, factored, solver
 
 #: Where nothing forces, what is added to K for each M, as a part of the mean of K over M.
 SHIFT = 1e-8

@@ -3,15 +3,15 @@
 What computes eigenvalues errs by the rounding of the largest, and so does a step with K; that
 is 2e-9 of the lowest frequency of a beam of 60 modes.  What is left of ``K q - w^2 M q``, which
 is summed without rounding, corrects both: T. Ogita and K. Aishima, Japan J. Indust. Appl. Math.
-35 (2018), 1007-1035; the sum is that of K. Ozaki et al., Numer. Algorithms 59 (2012), 95-118.
+35 (2018), 1007-1035.
 """
 
-from collections.abc import Callable
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
 from ..arrays import Indices, Matrix, Vector
+from .systems import BodyError, exact_product
 
 #: Degrees of freedom up to which all modes are computed, by full matrices.
 DENSE = 1500
@@ -32,15 +32,6 @@ SETTLED, NEARLY_ONE, ALIKE = 1e-10, 1e-2, 1e-6
 
 #: Corrections at most.
 CORRECTIONS = 4
-
-#: Bits of a number, and of how many parts it is the sum.
-BITS, PARTS = 53, 4
-
-Solve: TypeAlias = Callable[[Matrix], Matrix]
-
-
-class BodyError(ValueError):
-    """A body whose numbers allow no orbit to be computed; it says why."""
 
 
 def natural_modes(
@@ -147,41 +138,6 @@ def _sorted(squares: Vector, shapes: Matrix) -> tuple[Vector, Matrix]:
     return squares[order], shapes[:, order]
 
 
-def exact_product(A: Any, B: Matrix) -> tuple[Matrix, Matrix]:
-    """Return ``A B`` of a sparse and a full matrix, rounded, and the rounding of that.
-
-    Both are cut into parts of so few bits that the products of parts are without rounding.
-    """
-    A = A.tocsr()
-    counts = np.diff(A.indptr)
-    bits = (BITS - int(np.ceil(np.log2(max(counts.max(initial=0), 2))))) // 2
-    rows = np.repeat(abs(A).max(axis=1).toarray().ravel(), counts)
-    columns = _parts(B, np.abs(B).max(axis=0), bits)
-    total = low = np.zeros((A.shape[0], B.shape[1]))
-    for values in _parts(A.data, rows, bits):
-        part = type(A)((values, A.indices, A.indptr), shape=A.shape)
-        for column in columns:
-            product = part @ column
-            grown = total + product
-            kept = grown - total
-            low = low + ((total - (grown - kept)) + (product - kept))
-            total = grown
-    return total + low, (total - (total + low)) + low
-
-
-def _parts(values: Any, sizes: Vector, bits: int) -> list[Any]:
-    """Return parts of so many bits each of which numbers are the sums, the largest first."""
-    found, top = [], np.exp2(np.ceil(np.log2(np.where(sizes > 0, sizes, 1.0))))
-    for q in range(1, 1 + PARTS):
-        step = top * 2.0 ** (BITS - q * bits)  # what is less than a bit of it is rounded
-        part = (values + step) - step
-        found.append(part)
-        values = values - part
-        if not values.any():
-            break
-    return found
-
-
 def _begin(n: int) -> Vector:
     """Return a vector that no mode is orthogonal to: the same in every run."""
     return np.random.default_rng(0).random(n) - 0.5
@@ -210,31 +166,3 @@ def _with_digits(K: Any, squares: Vector, shapes: Matrix) -> Vector:
             "it: take fewer elements"
         )
     return squares
-
-
-def factored(matrix: Any) -> Any:
-    """Return the factors of a symmetric sparse matrix."""
-    from scipy import sparse  # noqa: PLC0415
-
-    try:
-        return sparse.linalg.splu(
-            matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.1,
-            options={"SymmetricMode": True},
-        )  # fmt: skip
-    except RuntimeError:
-        raise BodyError("the matrices of the body are singular") from None
-
-
-def solver(matrix: Any, factors: Any = None) -> Solve:
-    """Return what solves systems with a symmetric sparse matrix, with the digits of a number.
-
-    What is left of a system is solved once more.
-    """
-    factors = factored(matrix) if factors is None else factors
-
-    def solve(right: Matrix) -> Matrix:
-        found = factors.solve(right)
-        product, rest = exact_product(matrix, found)
-        return np.asarray(found + factors.solve((right - product) - rest))
-
-    return solve

@@ -15,7 +15,7 @@ from ..arrays import Complex, Matrix, Vector
 from .flow import WORST
 from .laws import free, places
 from .modal import Modal
-from .modes import BodyError
+from .systems import BodyError
 
 #: How near the two real poles of a mode may be, as a part of them.
 APART = 1e-6

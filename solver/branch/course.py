@@ -9,7 +9,7 @@ import numpy as np
 
 from ...generated.ck import F
 from ..arrays import Integers, Matrix, Vector
-from ..bodies.modes import BodyError
+from ..bodies.systems import BodyError
 from ..flow.exact_system import angles, arrays, phase_numbers, places
 from ..flow.flow import state_at
 from ..kernels.family import Family

@@ -17,7 +17,7 @@ import numpy as np
 
 from ..arrays import Complex, Vector
 from ..bodies.laws import free, places
-from ..bodies.modes import BodyError
+from ..bodies.systems import BodyError
 from ..iteration.newton import newton
 from ..kernels.bodies import exact_kernel
 from ..kernels.start import RoughTimes

@@ -8,10 +8,10 @@ import numpy as np
 
 from ...arrays import Complex, Indices, Integers, Matrix, Vector
 from ..laws import added, law_matrix, lawful, places
-from ..modes import BodyError
 from ..part import shifts
 from ..poles import Forms, Poles, poles_of
 from ..switch import impulses, switch
+from ..systems import BodyError
 
 if TYPE_CHECKING:
     from ...scenes.bodies.cell import BodyCell

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...arrays import Complex, Indices, Matrix, Vector
-from ...bodies.modes import BodyError
 from ...bodies.part import Part, generator_of, parts_of
+from ...bodies.systems import BodyError
 from ...scenes.bodies.cell import BodyCell
 from ...scenes.cell import Form
 from ...scenes.mirror import same

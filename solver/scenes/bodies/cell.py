@@ -11,8 +11,8 @@ import numpy as np
 
 from ...bodies.laws import places
 from ...bodies.modal import Modal, at_frequency, damped, modal
-from ...bodies.modes import BodyError
 from ...bodies.poles import poles_of
+from ...bodies.systems import BodyError
 from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units
 from ..parameter_error import ParameterError

@@ -100,7 +100,7 @@ def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[Non
     try:
         yield
     except ValueError as error:
-        from nonsmooth.solver.bodies.modes import BodyError
+        from nonsmooth.solver.bodies.systems import BodyError
 
         if isinstance(error, BodyError):  # what is wrong shows in its phases, not in an option
             raise Problem(f"body: {error}") from error

@@ -89,6 +89,13 @@ MUTANTS = (
         ("tests/bodies/test_large_and_free_bodies.py",),
     ),
     Mutant(
+        "natural modes keep what the computation of eigenvalues left of them",
+        "solver/bodies/modes.py",
+        "shapes + (shapes @ turns + others)",
+        "shapes + others",
+        ("tests/bodies/test_natural_modes.py",),
+    ),
+    Mutant(
         "a mesh without digits passes",
         "solver/bodies/modes.py",
         "    if lost > LOST:",
