@@ -13,6 +13,9 @@ from ..arrays import Matrix, Vector
 #: Bits of a number, and of how many parts it is the sum.
 BITS, PARTS = 53, 4
 
+#: Entries of a matrix, as a part of all, from which on products are those of a full one.
+FULL = 0.1
+
 Solve: TypeAlias = Callable[[Matrix], Matrix]
 
 
@@ -28,11 +31,13 @@ def exact_product(A: Any, B: Matrix) -> tuple[Matrix, Matrix]:
     A = A.tocsr()
     counts = np.diff(A.indptr)
     bits = (BITS - int(np.ceil(np.log2(max(counts.max(initial=0), 2))))) // 2
-    rows = np.repeat(abs(A).max(axis=1).toarray().ravel(), counts)
+    rows, full = abs(A).max(axis=1).toarray().ravel(), A.nnz > FULL * A.shape[0] * A.shape[1]
+    values, sizes = (A.toarray(), rows[:, None]) if full else (A.data, np.repeat(rows, counts))
     columns = _parts(B, np.abs(B).max(axis=0), bits)
     total = low = np.zeros((A.shape[0], B.shape[1]))
-    for values in _parts(A.data, rows, bits):
-        part = type(A)((values, A.indices, A.indptr), shape=A.shape)
+    for part in _parts(values, sizes, bits):
+        if not full:
+            part = type(A)((part, A.indices, A.indptr), shape=A.shape)  # noqa: PLW2901
         for column in columns:
             product = part @ column
             grown = total + product

@@ -94,9 +94,11 @@ def test_static_answers_have_their_digits() -> None:
     assert found == pytest.approx(np.array(exact.tolist(), dtype=float), rel=1e-14)
 
 
-def test_a_product_has_twice_the_digits() -> None:
+@pytest.mark.parametrize("density", [0.05, 0.3])
+def test_a_product_has_twice_the_digits(density: float) -> None:
+    """Of a sparse matrix, and of one that is taken as full."""
     rng = np.random.default_rng(1)
-    A = sparse.random_array((40, 30), density=0.3, rng=rng, format="csr")
+    A = sparse.random_array((40, 30), density=density, rng=rng, format="csr")
     A.data *= np.exp2(rng.integers(-20, 20, A.nnz))
     B = rng.normal(size=(30, 3)) * np.exp2(rng.integers(-20, 20, (30, 1)))
     product, rest = systems.exact_product(A, B)
