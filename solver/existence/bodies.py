@@ -6,19 +6,20 @@ duration, whose sign changes are scanned.  The scan is made on the slow modes al
 others answer statically; Newton's method takes each root to the whole body.
 
 Of more phases the linear response of the slow modes leads to one solution, in a small part of
-the time of the starts all around.  These follow where it is no stable orbit.
+the time of the starts all around.  These follow where it is no stable orbit: first those at
+whose durations the events are nearest to happening, then all others.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import groupby, product
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
-from ..bodies.part import later, parts_of, phase_map
+from ..bodies.part import later, parts_of, phase_map, wave
 from ..kernels.start import RoughTimes, rough_times
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
@@ -50,6 +51,9 @@ ROOM = 2_000_000
 #: Differences of times, as parts of the cell, below which two solutions are one.
 SAME = 1e-7
 
+#: Least size by which events are divided.
+TINY = 1e-300
+
 #: At how many times of one phase its size is seen; and the turn of a pole over it from which
 #: on rounding grows with that.
 FEW, FAST = 8, 1e3
@@ -61,17 +65,17 @@ NEAR = 1e-6
 def solutions(case: Case) -> Iterator[ExactOrbit]:
     """Yield solutions of the exact equations of a body, orbits or not, each once.
 
-    None follows a stable orbit to which the linear response leads.
+    Where a group of starts leads to a stable orbit, those that are less likely are left out.
     """
     found: list[ExactOrbit] = []
-    for start in _starts(case.cell):  # type: ignore[arg-type]
-        solution = from_times(case, start)
-        if not solution.outcome.converged or any(_same(solution, q) for q in found):
-            continue
-        found.append(solution)
-        yield solution
-        if start.words == homotopy.WORDS and solution.admissible and is_stable(solution):
+    for group in _starts(case.cell):  # type: ignore[arg-type]
+        if any(solution.admissible and is_stable(solution) for solution in found):
             return
+        for start in group:
+            solution = from_times(case, start)
+            if solution.outcome.converged and not any(_same(solution, q) for q in found):
+                found.append(solution)
+                yield solution
 
 
 def complete(cell: BodyCell, found: Sequence[ExactOrbit]) -> bool:
@@ -148,18 +152,36 @@ def slow(cell: BodyCell) -> BodyCell:
     return replace(cell, body=own)
 
 
-def _starts(cell: BodyCell) -> Iterator[RoughTimes]:
+def _starts(cell: BodyCell) -> Iterator[Iterable[RoughTimes]]:
+    """Yield groups of starts, the likely ones first."""
     if not cell.forced:
-        yield from _everywhere(cell)
+        yield _everywhere(cell)
     elif len(cell.phases) > 2:
         by_response = homotopy.from_linear_response(slow(cell))
-        yield from [by_response] if by_response else []
-        yield from rough_times(cell)
+        others: list[RoughTimes] = []
+        yield [by_response] if by_response else []
+        yield _likely(cell, others)
+        yield others
     elif len(cell.phases) == 1:
-        for angle in _of_one_phase(cell)[0]:
-            yield RoughTimes((cell.duration,), angle, "the closed form")
+        angles = _of_one_phase(cell)[0]
+        yield (RoughTimes((cell.duration,), angle, "the closed form") for angle in angles)
     else:
-        yield from _scanned(cell)
+        yield _scanned(cell)
+
+
+def _likely(cell: BodyCell, others: list[RoughTimes]) -> Iterator[RoughTimes]:
+    """Yield rough times nearest to the events among those of all angles; keep the others."""
+    quick = slow(cell)
+    for durations, starts in groupby(rough_times(cell), key=lambda start: start.durations):
+        around = list(starts)
+        events = events_by_wave(quick, np.array(durations))
+        events /= np.maximum(np.abs(events).max(axis=1, keepdims=True), TINY)
+        off = [float(np.sum((events @ wave(start.angle)) ** 2)) for start in around]
+        for i, start in enumerate(around):
+            if off[i - 1] > off[i] <= off[(i + 1) % len(off)]:
+                yield start
+            else:
+                others.append(start)
 
 
 def _everywhere(cell: BodyCell) -> Iterator[RoughTimes]:
@@ -224,7 +246,7 @@ def _both(cell: BodyCell, parts: Vector) -> Matrix:
     durations = cell.duration * np.column_stack([parts, 1 - parts])
     blocks = 1 + len(durations) * (2 * len(cell.body.squares)) ** 2 // ROOM
     found = np.concatenate([events_by_wave(cell, q) for q in np.array_split(durations, blocks)])
-    return np.asarray(found / np.maximum(np.abs(found).max(axis=2, keepdims=True), 1e-300))
+    return np.asarray(found / np.maximum(np.abs(found).max(axis=2, keepdims=True), TINY))
 
 
 def _same(one: ExactOrbit, other: ExactOrbit) -> bool:

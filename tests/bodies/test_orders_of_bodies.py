@@ -8,6 +8,7 @@ from bodies.reference_bodies import case, of, references
 
 import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence import bodies
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.kernels import registry
@@ -64,6 +65,21 @@ def test_an_orbit_in_an_order_of_another_scene(name: str) -> None:
     assert np.abs(np.array(found.durations) - r.durations).max() <= 5e-13 * r.period
     assert abs(math.remainder(found.angle - r.angle, 2 * math.pi)) <= 5e-12
     assert np.abs(found.multipliers).max() == pytest.approx(r.radius, rel=1e-8)
+
+
+@pytest.mark.parametrize("name", ["absorber-stick-full-period", "jenkins-absorber-full-period"])
+def test_starts_nearest_to_their_events_lead_to_a_stable_orbit(name: str, monkeypatch) -> None:
+    """Of four phases; then the others, ten times as many, are left out."""
+    tried: list = []
+
+    def counted(own: Case, start):
+        tried.append(start)
+        return from_times(own, start)
+
+    monkeypatch.setattr(bodies, "from_times", counted)
+    (solution,) = bodies.solutions(case(name))
+    assert solution.admissible
+    assert 0 < len(tried) <= 12
 
 
 @pytest.mark.parametrize(
