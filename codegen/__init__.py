@@ -5,7 +5,7 @@ Stages, a folder each, in the order in which a derivation runs through them:
 1. `scene` and `scenes`: an oscillator as data, and what SymPy checks and deduces of it.
 2. `expansions` and `galerkin`: the conditions of any scene in a set of functions, in closed
    form with symbolic indices.
-3. `emission` writes the conditions as a module of kernels; `generate` puts the modules into
+3. `emission` writes their closed forms as a module; `generate` puts the modules into
    ``generated/``.
 4. `equations` makes the conditions records for a reader, `printing` prints them as text,
    LaTeX and HTML.

@@ -47,6 +47,14 @@ class NumericPrinter(PythonCodePrinter):  # type: ignore[misc]
         return "exp(1)"  # e may be a parameter
 
 
+def rising(x: float, k: int) -> float:
+    """Return ``x (x + 1) ... (x + k - 1)``."""
+    found = 1.0
+    for i in range(k):
+        found = found * (x + i)
+    return found
+
+
 #: Functions by the names that they have in the module ``math``.
 PRINTER = NumericPrinter({"fully_qualified_modules": False, "allow_unknown_functions": True})
 

@@ -1,14 +1,13 @@
-"""The text of a module of kernels: closed forms by `lambdify`, and loops in Python."""
+"""The text of a module of closed forms, by `lambdify`."""
 
 import inspect
-import types
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
-from ..python_text import PRINTER, digest, math_names
+from ..python_text import PRINTER, digest, math_names, rising
 
 
 @dataclass(frozen=True)
@@ -52,30 +51,19 @@ def function_source(form: ClosedForm) -> str:
     return f'def {form.name}({arguments}):\n    """{form.summary}"""\n    return {result}\n'
 
 
-def functions_of(*modules: types.ModuleType) -> list[str]:
-    """Return the text of all functions of runtimes; closed forms are none there."""
-    texts = []
-    for module in modules:
-        own = (q for q in vars(module).values() if isinstance(q, types.FunctionType))
-        texts += [inspect.getsource(q) for q in own if q.__module__ == module.__name__]
-    return texts
-
-
 def module_text(
-    document: str,
-    constants: Mapping[str, int],
-    closed_forms: Sequence[ClosedForm],
-    functions: Sequence[str],
+    document: str, closed_forms: Sequence[ClosedForm], beside: Sequence[ClosedForm] = ()
 ) -> str:
-    """Return the text of a module: what it is, its imports, constants, and functions."""
-    numbers = "".join(f"{name} = {value}\n" for name, value in constants.items())
-    texts = (*map(function_source, closed_forms), *functions)
-    body = "\n\n".join(text.strip() + "\n" for text in texts)
+    """Return the text of a module: what it is, of which derivation, and its functions.
+
+    The derivation is of the closed forms and of those `beside` them, of another module.
+    """
+    body = "\n\n".join(map(function_source, closed_forms))
+    if "rising(" in body:
+        body += "\n\n" + inspect.getsource(rising)
     names = math_names(body)
     math = f"from math import {', '.join(names)}\n\n" if names else ""
-    legendre = "from numpy.polynomial import legendre\n" if "legendre.legval" in body else ""
-    both = marks(closed_forms, numbers + body)
-    return f"{document}\n{math}import numpy as np\n{legendre}\n{both}\n{numbers}\n\n{body}"
+    return f"{document}\n{math}{marks((*beside, *closed_forms), body)}\n\n{body}"
 
 
 def marks(closed_forms: Sequence[ClosedForm], text: str) -> str:

@@ -7,13 +7,13 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from ...generated.ck import F
 from ..arrays import Integers, Matrix, Vector
 from ..bodies.systems import BodyError
 from ..flow.exact_system import angles, arrays, phase_numbers, places
 from ..flow.flow import state_at
 from ..kernels.family import Family
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
+from ..rows.joints import F
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same

@@ -17,7 +17,12 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import (
+from ..arrays import Matrix, Vector
+from ..flow.exact_system import angles, ends, phase_numbers, places
+from ..flow.responses import by_change, by_force, by_forcing
+from ..iteration.iteration import ROUNDOFF, scale_rows
+from ..iteration.linear import factorise, solve_factorised
+from ..rows.joints import (
     E_0,
     E_V,
     E_X,
@@ -28,11 +33,6 @@ from ...generated.ck import (
     joint_rates,
     joints,
 )
-from ..arrays import Matrix, Vector
-from ..flow.exact_system import angles, ends, phase_numbers, places
-from ..flow.responses import by_change, by_force, by_forcing
-from ..iteration.iteration import ROUNDOFF, scale_rows
-from ..iteration.linear import factorise, solve_factorised
 
 #: Step of the central difference by the parameter: its error is the square.
 DIFFERENCE = 2.0**-17

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from ...generated import ck
 from ..arrays import Matrix, Vector
 from ..flow import divided, exact_system, responses
 from ..iteration import iteration, linear
 from ..kernels import linking
 from ..kernels.family import Family
+from ..rows import joints as joining
 from ..stability import cell_map as cell_maps
 from ..stability.cell_map import cell_map, end_rates
 from . import extended, watch
@@ -212,5 +212,6 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
 
 
 #: What they are made of, and the functions.
-MODULES = (ck, divided, responses, iteration, linear, exact_system, cell_maps, watch, extended)
+NUMBERS = joining, divided, responses, iteration, linear
+MODULES = (*NUMBERS, exact_system, cell_maps, watch, extended)
 FAMILY = Family(linked, MODULES, stepped)

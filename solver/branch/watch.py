@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import FREE, F
 from ..arrays import Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
 from ..flow.responses import by_force, by_forcing, by_start
+from ..rows.joints import FREE, F
 
 # Columns of the table of forms: the phase; where the form is looked at; the derivative that is
 # looked at where it begins; whether the phase ends by it; the row that has the value.

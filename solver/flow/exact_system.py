@@ -2,7 +2,7 @@
 
 Unknowns: displacement and velocity in which each phase begins, what its switches set (the
 memory), durations, and the phase of the forcing.  The conditions are those that join the phases
-of every expansion, `generated.ck.joints`: continuity with the jumps, events, memory, the length
+of every expansion, `rows.joints`: continuity with the jumps, events, memory, the length
 of the cell.  Like those of every expansion they are linear in all but the times.
 
 A cell is arrays; the functions `places` to `jacobian` and Newton's method are plain Python, or
@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...generated import ck
-from ...generated.ck import FREE, MEMORY, C, F, G, K, M, fill_angles, joint_rates, joints
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import iterate_scene
 from ..kernels import bodies, linking
 from ..kernels.family import Family
 from ..kernels.kernel import Kernel
+from ..rows import joints as joining
+from ..rows.joints import FREE, MEMORY, C, F, G, K, M, fill_angles, joint_rates, joints
 from ..scenes.arrays import Arrays, arrays_of
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
@@ -115,13 +115,13 @@ def jacobian(case: Any, z: Vector, J: Matrix) -> None:
 
 def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     """Return these functions and Newton's method for them, plain or compiled."""
-    found = linking.made((ck, divided, responses, equations), {}, make)
+    found = linking.made((joining, divided, responses, equations), {}, make)
     own = found["residual"], found["jacobian"], make(linking.times_of, found, False)
     return found | {"iterate": linking.newton_with(*own, make)["iterate_scene"]}
 
 
 #: The functions, linked as plain Python or compiled; what compiled ones cost is kept.
-FAMILY = Family(linked, (ck, divided, responses, *linking.NEWTON), iterate_scene)
+FAMILY = Family(linked, (joining, divided, responses, *linking.NEWTON), iterate_scene)
 
 
 @lru_cache(maxsize=256)

@@ -52,7 +52,8 @@ class Family:
             condensed=layout.condensed,
             account=None if compile_it else self.account_of(module),
             starts=layout.starts,
-            **{name: found[name] for name in ("residual", "jacobian", "motion", "iterate")},
+            motion=self.plain(module)["motion"],  # of NumPy
+            **{name: found[name] for name in ("residual", "jacobian", "iterate")},
         )
 
     @cache  # noqa: B019

@@ -1,5 +1,6 @@
 """Functions of a kernel and Newton's method, linked to each other: plain, or compiled."""
 
+import builtins
 import cmath
 import dis
 import math
@@ -9,21 +10,35 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from ...generated import hb
 from ..arrays import Complex, Matrix, Vector
 from ..iteration import iteration, linear, single
 from ..iteration.iteration import Iteration
 from ..maps import alone, band, one_by_one, series, series_rates, together
+from ..rows import (
+    breaking,
+    fourier,
+    harmonics,
+    joints,
+    moments,
+    one_function,
+    orthogonality,
+    polynomials,
+    whole_period,
+)
 from .compiling import rebuilt
 
 #: Modules of Newton's method, for several unknowns and for one.
 SEVERAL, ONE = (linear, iteration), (single,)
 NEWTON = SEVERAL + ONE
 
-#: Modules of the quick way for motions that are polynomials on each phase.
-MAPS = (band, linear, series, series_rates, alone, one_by_one, together)
+#: Modules of motions that are polynomials on each phase, and of the quick way to them.
+POLYNOMIALS = (moments, joints, polynomials)
+MAPS = (band, linear, series, series_rates, alone, one_by_one, together, *POLYNOMIALS)
 
-#: What only NumPy can do: plain Python, even where the rest is compiled.
-PLAIN = frozenset(("motion", "coefficients", "integrated", "phase_motion"))
+#: Modules of motions that are one series over the period; of one function beside it.
+SERIES = (hb, moments, harmonics, joints, fourier, orthogonality, breaking, whole_period)
+WITH_ONE = (*SERIES, one_function)
 
 #: Attributes, of modules and of numbers, that make no array.
 OF_NUMBERS = {"imag", "real", "shape"}.union(vars(cmath), vars(math))
@@ -65,15 +80,17 @@ def times_of(case: Any) -> tuple[int, int]:
     return len(case[0]), 1 if case[4][2] != 0 else 0
 
 
-def whole_period(equations: types.ModuleType, make: Make) -> dict[str, Any]:
-    """Return the functions of a generated module, and Newton's method on all its unknowns."""
-    found = made((equations,), {}, make)
+def over_the_period(
+    modules: tuple[types.ModuleType, ...], equations: types.ModuleType, make: Make
+) -> dict[str, Any]:
+    """Return the functions of modules and a generated one, and Newton's method on them."""
+    found = made((*modules, equations), {}, make)
     own = found["residual"], found["jacobian"], make(times_of, found, False)
     return found | {"iterate": newton_with(*own, make)["iterate_scene"]}
 
 
 def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:
-    """Return the functions of a generated module, and the quick way to its solutions."""
+    """Return the functions of motions by a generated module, and the quick way to them."""
     found = made((*MAPS, equations), {}, make)
     residual, jacobian = found["together_residual"], found["together_jacobian"]
     changed = {"FAST": together.FAST, "AGAIN": together.AGAIN}
@@ -96,7 +113,7 @@ def made(
     Functions with no body stand for those that are given, or put in later.  Those of the given
     that are `of_numbers` return no arrays.
     """
-    namespace: dict[str, Any] = {}
+    namespace: dict[str, Any] = {"__builtins__": builtins}  # by which NumPy imports its own
     for module in modules:
         namespace |= {name: q for name, q in vars(module).items() if not name.startswith("__")}
     own = {
@@ -106,7 +123,6 @@ def made(
         if isinstance(value, types.FunctionType)
         and value.__module__ == module.__name__
         and "NotImplementedError" not in value.__code__.co_names
-        and name not in PLAIN
     }
     others = {name for name, one in given.items() if callable(one) and name not in of_numbers}
     makers = set(own) if make is rebuilt else with_arrays(own, others)

@@ -33,7 +33,8 @@ class Layout:
     method: str
     class_one: bool = False
 
-    #: See `Kernel`.
+    #: What its kernels share; see `Kernel`.
+    family: ClassVar[Family] = FAMILY
     condensed: ClassVar[bool] = True
 
     @property

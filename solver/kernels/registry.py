@@ -136,10 +136,10 @@ def _kernel(
         return bodies.kernel(scene, name, number, compiles)
     layout: polynomials.Layout | series.Layout
     if found.is_series:
-        family, layout = series.FAMILY, series.Layout(scene, name, number or 0)
+        layout = series.Layout(scene, name, number or 0)
     else:
-        family, layout = polynomials.FAMILY, polynomials.Layout(scene, name, wanted != name)
-    return family.kernel(layout, compiles(family.account(name)))
+        layout = polynomials.Layout(scene, name, wanted != name)
+    return layout.family.kernel(layout, compiles(layout.family.account(name)))
 
 
 def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:

@@ -1,6 +1,8 @@
 """Kernels of motions that are one series over the period: one for all scenes of a method."""
 
 from dataclasses import dataclass
+from functools import partial
+from types import ModuleType
 from typing import Any, ClassVar
 
 from ..arrays import Vector
@@ -12,7 +14,13 @@ from ..scenes.methods import about
 from . import linking
 from .family import Family
 
-FAMILY = Family(linking.whole_period, linking.NEWTON, iteration.iterate_scene)
+
+def _family(modules: tuple[ModuleType, ...]) -> Family:
+    link = partial(linking.over_the_period, modules)
+    return Family(link, modules + linking.NEWTON, iteration.iterate_scene)
+
+
+FAMILY, ONE_FUNCTION = _family(linking.SERIES), _family(linking.WITH_ONE)
 
 
 @dataclass(frozen=True)
@@ -27,6 +35,11 @@ class Layout:
     condensed: ClassVar[bool] = False
     starts: ClassVar[bool] = False
     lowest: ClassVar[int] = 1
+
+    @property
+    def family(self) -> Family:
+        """What its kernels share."""
+        return ONE_FUNCTION if about(self.method).alone else FAMILY
 
     @property
     def name(self) -> str:

@@ -3,7 +3,8 @@
 from math import pi
 from typing import Any
 
-from ...generated.ck import (
+from ..arrays import Vector
+from ..rows.joints import (
     AFTER,
     AT_BEGIN,
     AT_END,
@@ -18,7 +19,6 @@ from ...generated.ck import (
     RHO,
     highest,
 )
-from ..arrays import Vector
 
 
 def is_alone(case: Any, p: int, state: int) -> bool:

@@ -6,10 +6,10 @@ the event that ends it: Newton's method for one unknown, `iteration.iterate_sing
 
 from typing import Any
 
-from ...generated.ck import AFTER, AT_BEGIN, E_0, E_V, E_X, FREE, JUMP, OF_X, RHO
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import SINGULAR
 from ..iteration.single import iterate_single
+from ..rows.joints import AFTER, AT_BEGIN, E_0, E_V, E_X, FREE, JUMP, OF_X, RHO
 from .alone import is_alone
 from .band import BLOCK
 from .series import DURATION, factorise_phase, gained, solve_phase, unpack

@@ -15,27 +15,11 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import (
-    BESIDE,
-    CLASS,
-    FREE,
-    MEMORY,
-    C,
-    F,
-    G,
-    K,
-    M,
-    derivative_at_end,
-    displacement_gained,
-    fill_angles,
-    legendre_moments,
-    of_moment,
-    row,
-    terms,
-    tests,
-    unseen,
-)
+from ...generated.ck import derivative_at_end, displacement_gained, of_moment, unseen
 from ..arrays import Matrix, Vector
+from ..rows.joints import BESIDE, CLASS, FREE, MEMORY, C, F, G, K, M, fill_angles
+from ..rows.moments import legendre_moments
+from ..rows.polynomials import row, terms, tests
 from .band import (
     BLOCK,
     PAD,

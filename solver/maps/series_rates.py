@@ -7,25 +7,16 @@ displacement and velocity at the begin, and the last coefficients.
 from typing import Any
 
 from ...generated.ck import (
-    BESIDE,
-    CLASS,
-    FREE,
-    C,
-    G,
-    K,
-    M,
     derivative_at_end,
     derivative_at_end_by_s,
     displacement_gained,
     displacement_gained_by_s,
     moment_by_kappa,
     of_moment,
-    row,
-    row_by_s,
-    terms,
-    tests,
 )
 from ..arrays import Matrix, Vector
+from ..rows.joints import BESIDE, CLASS, FREE, C, G, K, M
+from ..rows.polynomials import row, row_by_s, terms, tests
 from .band import BLOCK, PAD, add_full, eliminate, solve_block, substitute
 from .series import (
     ANGLE,

@@ -11,15 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import (
-    joint_rates,
-    joints,
-    order_of,
-)
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import iterate_within
 from ..iteration.linear import least_squares
 from ..iteration.single import POINTS
+from ..rows.joints import (
+    joint_rates,
+    joints,
+)
+from ..rows.polynomials import order_of
 from .alone import given_alone, given_last
 from .one_by_one import known_begin, one_by_one
 from .series import extent, fill_places, solve_phases, unpack, workplace

@@ -1,4 +1,4 @@
-"""A generated kernel in ball arithmetic: its own text, evaluated over other numbers.
+"""A kernel in ball arithmetic: its own text, evaluated over other numbers.
 
 Each operation of the text is one on balls (Arb, through python-flint), with every fraction of
 whole numbers exact; a result says how far rounding may have moved it.  Only the spherical
@@ -6,11 +6,12 @@ Bessel functions are replaced: their recurrences end where float64 does.
 """
 
 import ast
+import inspect
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from math import prod
-from pathlib import Path
+from types import FunctionType
 from typing import Any
 
 import numpy as np
@@ -35,16 +36,20 @@ def precision(digits: int) -> Iterator[None]:
 
 
 def residual_in_balls(residual: Callable[..., None]) -> Residual:
-    """Return the residual of a generated module over balls, at the precision in force."""
-    functions = _functions(residual.__code__.co_filename, ctx.dps)
-    found: Residual = functions[residual.__name__]
+    """Return the residual of a kernel over balls, at the precision in force."""
+    own = _plain(residual)
+    found: Residual = _functions(own, ctx.dps)[own.__name__]
     return found
 
 
+def _plain(value: Any) -> Any:
+    """Return the function of Python that a compiled one is made of."""
+    return getattr(value, "py_func", value)
+
+
 @cache
-def _functions(path: str, digits: int) -> dict[str, Any]:
-    """Return the functions of a module over balls of so many digits, those in force."""
-    tree = _Exact().visit(ast.parse(Path(path).read_text("utf-8")))
+def _functions(first: FunctionType, digits: int) -> dict[str, Any]:
+    """Return a function and all that it calls over balls of so many digits, those in force."""
     namespace: dict[str, Any] = {
         "cos": lambda x: arb(x).cos(),
         "sin": lambda x: arb(x).sin(),
@@ -53,20 +58,25 @@ def _functions(path: str, digits: int) -> dict[str, Any]:
         "pi": arb.pi(),
         "np": _Arrays,
         "quotient": quotient,
+        "spherical_bessel": spherical_bessel,
+        "rising": rising,
     }
-    exec(compile(ast.fix_missing_locations(tree), path, "exec"), namespace)
-    namespace |= {"spherical_bessel": spherical_bessel, "rising": rising}
+    wanted = [first]
+    while wanted:
+        function = wanted.pop()
+        tree = _Exact().visit(ast.parse(inspect.getsource(function)))
+        exec(compile(ast.fix_missing_locations(tree), "in balls", "exec"), namespace)
+        for name in {*function.__code__.co_names} - namespace.keys():
+            used = _plain(function.__globals__.get(name))
+            if isinstance(used, FunctionType):
+                wanted.append(used)
+            elif isinstance(used, int):
+                namespace[name] = used
     return namespace
 
 
 class _Exact(ast.NodeTransformer):
-    """Replace divisions by those of exact numbers, and drop the imports of float64."""
-
-    def visit_Import(self, node: ast.Import) -> None:
-        return None
-
-    def visit_ImportFrom(self, node: ast.ImportFrom) -> None:
-        return None
+    """Replace divisions by those of exact numbers."""
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)

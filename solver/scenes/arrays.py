@@ -5,13 +5,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...generated import ck
 from ..arrays import Integers, Matrix, Vector
+from ..rows import joints as of
 from .cell import Cell, Phase
 
 
 class Arrays(NamedTuple):
-    """A cell as arrays; their columns are named in the generated modules.
+    """A cell as arrays; their columns are named in `rows.joints`.
 
     Parameters
     ----------
@@ -65,11 +65,11 @@ def arrays_of(
         np.array([each.value[:4] for each in cell.memory], dtype=float).reshape(-1, 4),
         np.array([cell.sign, cell.omega, 2 * cell.cycles / cell.cells if cell.forced else 0]),
     )
-    arrays.kinds[:, ck.CLASS] = classes or 1
-    arrays.kinds[:, ck.BESIDE] = beside or 0
+    arrays.kinds[:, of.CLASS] = classes or 1
+    arrays.kinds[:, of.BESIDE] = beside or 0
     if starts and cell.start:
-        arrays.kinds[0, ck.OF_X : ck.OF_V + 1] = ck.AT_BEGIN
-        arrays.numbers[0, ck.E_X : ck.E_0 + 1] = *cell.start[:2], 0.0, cell.start[2]
+        arrays.kinds[0, of.OF_X : of.OF_V + 1] = of.AT_BEGIN
+        arrays.numbers[0, of.E_X : of.E_0 + 1] = *cell.start[:2], 0.0, cell.start[2]
     return arrays
 
 
@@ -79,7 +79,7 @@ def _of_phase(phase: Phase, mass: float, after: bool) -> tuple[list[int], list[f
     That of a held one is ``mass x'' = 0``, comparable with the others.
     """
     jumps = (phase.rho, phase.d) != (1, 0)
-    states = [ck.AFTER if after else ck.AT_END, ck.AFTER if after and not jumps else ck.AT_END]
+    states = [of.AFTER if after else of.AT_END, of.AFTER if after and not jumps else of.AT_END]
     equation = [phase.m, phase.c, phase.k, phase.f, phase.g]
     memory = list(phase.memory)
     if phase.held:  # the velocity in which it begins is the one at which it is held

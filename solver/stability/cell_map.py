@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import E_COS, E_X, FREE, MEMORY, RHO, F
 from ..arrays import Integers, Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
+from ..rows.joints import E_COS, E_X, FREE, MEMORY, RHO, F
 
 #: Rounding of an acceleration, as a part of its terms, over `stability.ROUNDING` of products.
 OF_SUMS = 1e-3

@@ -6,7 +6,6 @@ import pytest
 from bodies.reference_bodies import Reference, body, case, of
 from bodies.test_reference_bodies import error, start
 
-from nonsmooth.generated.hb import break_series
 from nonsmooth.solver.bodies import motion
 from nonsmooth.solver.bodies.force_series.layout import layout
 from nonsmooth.solver.bodies.harmonics import system
@@ -16,6 +15,7 @@ from nonsmooth.solver.bodies.laws import places
 from nonsmooth.solver.bodies.poles import Poles
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.solution import attempt
+from nonsmooth.solver.rows.breaking import break_series
 
 #: Errors of times at the orders of `ORDERS`, by method and K: those that were measured, with a
 #: margin of a half; the first of the harmonics alone fall as N^-3, beside functions faster.

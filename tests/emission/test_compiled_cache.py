@@ -76,7 +76,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
         touch(copied / "iteration" / f"{name}.py")
     (tmp_path / "edited" / "__init__.py").touch()
     shutil.copy(SOLVER.parent / "nearest.py", tmp_path / "edited")
-    for name in ("__init__.py", "methods.py", "ck.py"):
+    for name in ("__init__.py", "methods.py", "ck.py", "hb.py", "hb_c1.py"):
         (tmp_path / "edited" / "generated").mkdir(exist_ok=True)
         shutil.copy(SOLVER.parent / "generated" / name, tmp_path / "edited" / "generated")
     (tmp_path / "small.py").write_text(SMALL)

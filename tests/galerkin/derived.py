@@ -54,10 +54,9 @@ class OfOneScene:
     def __init__(self, scene: LoadedScene, method: str, functions=0, class_one=False):
         if about(method).is_series:
             layout = series.Layout(scene, method, functions)
-            self.kernel = series.FAMILY.kernel(layout, False)
         else:
             layout = polynomials.Layout(scene, method, class_one)
-            self.kernel = polynomials.FAMILY.kernel(layout, False)
+        self.kernel = layout.family.kernel(layout, False)
         self.scene, self.METHOD, self.size = scene, method, self.kernel.size
         self.coefficients = self.kernel.coefficients
         for name in ("durations", "forced", "lowest"):

@@ -6,9 +6,9 @@ import sympy as sp
 from galerkin.by_quadrature import shifted
 from numpy.polynomial import Polynomial
 
-from nonsmooth.codegen.emission.runtime.moments import legendre_moments
 from nonsmooth.codegen.galerkin.legendre import Moments, PhaseSeries, l, repeated_integral
 from nonsmooth.codegen.scene import LinearPhase
+from nonsmooth.solver.rows.moments import legendre_moments
 
 COEFFICIENTS = (0.3, -1.1, 0.7, 0.25)
 SERIES = PhaseSeries(*sp.symbols("s x v", real=True), sp.IndexedBase("d"), sp.Integer(4))

@@ -11,7 +11,6 @@ pytest.importorskip("flint")
 
 from flint import arb, ctx
 
-from nonsmooth.generated import ck
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.iteration.newton import newton
@@ -27,6 +26,7 @@ from nonsmooth.solver.precision.balls import (
     spherical_bessel,
 )
 from nonsmooth.solver.precision.refine import PrecisionError, refine
+from nonsmooth.solver.rows import joints
 from nonsmooth.solver.scenes.cell import cell_of
 from nonsmooth.solver.solve import solve_case
 
@@ -82,9 +82,9 @@ def with_exact_numbers(given, scene, parameters):
     if scene.frequency is not None:
         names = [parameter.name for parameter in scene.parameters]
         cell[1] = parameters[names.index(scene.frequency)]
-    if given[0][0, ck.OF_X] == ck.AT_BEGIN:
+    if given[0][0, joints.OF_X] == joints.AT_BEGIN:
         x, v, constant = scene.numbers("start", parameters)
-        numbers[0, ck.E_X : ck.E_0 + 1] = x, v, 0, constant
+        numbers[0, joints.E_X : joints.E_0 + 1] = x, v, 0, constant
     return (given[0], numbers, given[2], memory, cell, *given[5:])
 
 

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ....generated.hb import break_series
 from ...arrays import Complex, Matrix, Vector
+from ...rows.breaking import break_series
 from ..force_series.integrals import answers, moments
 from ..poles import Poles
 

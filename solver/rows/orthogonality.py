@@ -8,14 +8,10 @@ from math import cos, pi, sin
 
 import numpy as np
 
-from .fourier import by_time, cosine_place, jumps, moved, number, odd
+from ...generated.hb import alone, by_time, of_forcing, products
+from .fourier import cosine_place, jumps, moved, number, odd
 from .harmonics import weighted_integrals
 from .joints import MEMORY, F, G, K, M
-
-#: Closed forms, which the generator writes.
-products = None  # integrals of harmonics j and n: sine with sine, cosine; cosine with those
-alone = None  # `products` with C[j + n] and C[j - n] the only entries of the tables
-of_forcing = None  # the integrals of sine and cosine j with the forcing
 
 
 def is_same(numbers, column):

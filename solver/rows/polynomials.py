@@ -6,6 +6,21 @@ A scene is arrays, as in `joints`.
 import numpy as np
 from numpy.polynomial import legendre
 
+from ...generated.ck import (
+    derivative_at_end,
+    derivative_at_end_by_s,
+    displacement_gained,
+    displacement_gained_by_s,
+    moment_by_kappa,
+    of_moment,
+    row_0,
+    row_0_by_s,
+    row_1,
+    row_1_by_s,
+    row_l,
+    row_l_by_s,
+    unseen,
+)
 from .joints import (
     BESIDE,
     CLASS,
@@ -22,21 +37,6 @@ from .joints import (
     joints,
 )
 from .moments import legendre_moments
-
-#: Closed forms, which the generator writes.
-row_0 = None  # the coefficients of degree 0: of x, v, d_0, d_1, d_2
-row_1 = None  # those of degree 1: of v, d_0 to d_3
-row_l = None  # those of degree l: of d_(l-2) to d_(l+2)
-row_0_by_s = None  # the derivatives of `row_0` by the duration
-row_1_by_s = None  # those of `row_1`
-row_l_by_s = None  # those of `row_l`
-displacement_gained = None  # what a phase adds to the displacement: coefficients of v, d_0, d_1
-displacement_gained_by_s = None  # their derivatives by the duration
-derivative_at_end = None  # the part of d_n in derivative q of the acceleration at the end
-derivative_at_end_by_s = None  # its derivative by the duration
-unseen = None  # the weight of P_l* in the polynomial of degree m that no test sees
-of_moment = None  # the force in the row of degree l, of a moment of the forcing
-moment_by_kappa = None  # the derivative of a moment, by moments a quarter turn on
 
 
 def row(l, m, c, k, s):
@@ -210,14 +210,6 @@ def jacobian(case, z, J):
             at_row += 1
     ends(case, z, at, N, found, by)
     joint_rates(case, z, at, theta, by[0], by[1], J, at_row)
-
-
-def rising(x, k):
-    """Return ``x (x + 1) ... (x + k - 1)``."""
-    found = 1.0
-    for i in range(k):
-        found = found * (x + i)
-    return found
 
 
 def integrated(d):

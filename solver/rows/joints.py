@@ -32,9 +32,6 @@ AT_END, AFTER, AT_BEGIN = 0, 1, 2
 # event.
 M, C, K, F, G, RHO, JUMP, E_X, E_V, E_COS, E_0, MEMORY = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11
 
-#: All of them, by name: numbers of a generated module.
-COLUMNS = {name: value for name, value in globals().items() if name.isupper()}
-
 
 def highest(kinds, q):
     """Return the highest derivative that is continuous where a phase begins."""

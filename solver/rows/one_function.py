@@ -9,18 +9,18 @@ from math import pi
 
 import numpy as np
 
+from ...generated.hb_c1 import (
+    by_itself,
+    force_by,
+    on_phases,
+    on_phases_by_s_free,
+    on_phases_by_s_held,
+)
 from .fourier import cosine_place
 from .harmonics import weighted_integrals
 from .joints import F, K, M
 from .moments import legendre_moments
 from .orthogonality import add_force
-
-#: Closed forms, which the generator writes.
-on_phases = None  # T**2 G'', T G', G on both phases, as Legendre series one behind another
-on_phases_by_s_held = None  # their derivatives by the duration of the held phase
-on_phases_by_s_free = None  # those by the duration of the free phase
-by_itself = None  # the integral of the left side for G with G, and its two derivatives
-force_by = None  # that of the force with G, and its two derivatives
 
 
 def function_series(held, free, rates):

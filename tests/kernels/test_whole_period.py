@@ -1,8 +1,7 @@
 """The kernels over the whole period: derivatives, digits, functions with a break, compiled."""
 
-import types
+from types import SimpleNamespace
 
-import numba
 import numpy as np
 import one_mass
 import pytest
@@ -13,11 +12,12 @@ from numpy.polynomial import legendre
 
 from nonsmooth.codegen.emission.whole_period import LAST
 from nonsmooth.codegen.galerkin.harmonics import beta
-from nonsmooth.generated import hb, hb_c1
-from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.kernels.compiling import rebuilt
+from nonsmooth.solver.kernels import registry, series
 from nonsmooth.solver.precision.balls import as_balls, precision, residual_in_balls
 from nonsmooth.solver.scenes.arrays import Arrays, arrays_of
+
+NAME = "nonsmooth.generated.hb"
+hb = SimpleNamespace(**series.FAMILY.plain(NAME))
 
 MOTIONS = {one.label: one for name in one_mass.NAMES for one in registry.load(name).each_motion}
 
@@ -125,20 +125,17 @@ def test_motions_meet_where_phases_do(cell):
 
 
 @pytest.mark.long  # as long as all kernels of the series take to compile
-@pytest.mark.parametrize("module", [hb, hb_c1])
-def test_compiled_kernels_give_the_same_bits(module):
-    namespace = dict(vars(module))
-    for name, function in vars(module).items():
-        if isinstance(function, types.FunctionType) and name != "motion":
-            namespace[name] = numba.njit(error_model="numpy")(rebuilt(function, namespace))
-    compiled = types.SimpleNamespace(**namespace)
-    cells = map(made, *zip(*CELLS.values(), strict=True)) if module is hb else ()
-    scenes = MOTIONS if module is hb else ("stick-slip",)
-    for arrays in (*cells, *(arrays_for(MOTIONS[name]) for name in scenes)):
-        z = unknowns(module, arrays, 18)
-        np.testing.assert_array_equal(
-            residual(compiled, arrays, z), residual(module, arrays, z)
-        )
-        np.testing.assert_array_equal(
-            jacobian(compiled, arrays, z), jacobian(module, arrays, z)
-        )
+@pytest.mark.parametrize(
+    ("family", "name"), [(series.FAMILY, NAME), (series.ONE_FUNCTION, f"{NAME}_c1")]
+)
+def test_compiled_kernels_give_the_same_bits(family, name):
+    plain = SimpleNamespace(**family.plain(name))
+    compiled = SimpleNamespace(
+        **{q: family.compiled(name)[q] for q in ("residual", "jacobian")}
+    )
+    cells = map(made, *zip(*CELLS.values(), strict=True)) if name == NAME else ()
+    scenes = MOTIONS if name == NAME else ("stick-slip",)
+    for arrays in (*cells, *(arrays_for(MOTIONS[each]) for each in scenes)):
+        z = unknowns(plain, arrays, 18)
+        np.testing.assert_array_equal(residual(compiled, arrays, z), residual(plain, arrays, z))
+        np.testing.assert_array_equal(jacobian(compiled, arrays, z), jacobian(plain, arrays, z))

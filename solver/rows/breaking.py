@@ -8,14 +8,10 @@ from math import pi
 
 import numpy as np
 
+from ...generated.hb import in_the_middle, in_the_middle_mirrored, integral
 from .fourier import cosine_place, moved, number
 from .joints import BESIDE, CLASS, C, K, M
 from .moments import legendre_moments
-
-#: Closed forms, which the generator writes.
-in_the_middle = None  # beta_0, beta_1, ... in the middle of the cell
-in_the_middle_mirrored = None  # them where the motion repeats with the opposite sign
-integral = None  # what P_(l-1)*, P_(l+1)* of a function are in its integral, in P_l*
 
 
 def top(kinds):

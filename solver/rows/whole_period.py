@@ -11,11 +11,11 @@ from math import cos, pi, sin
 
 import numpy as np
 
+from ...generated.hb import by_time
 from .breaking import add_break_states, add_breaks, break_tables, harmonic_moments, top
 from .fourier import (
     amplitudes,
     beside,
-    by_time,
     jumps,
     legendre_on_phase,
     number,

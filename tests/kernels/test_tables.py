@@ -1,4 +1,4 @@
-"""What is copied into kernels: tables and motions against quadrature, series, many digits."""
+"""What rows are made of: tables and motions against quadrature, series, many digits."""
 
 import mpmath
 import numpy as np
@@ -12,14 +12,14 @@ from numpy.polynomial import Polynomial
 from numpy.polynomial.legendre import leggauss
 from scipy.special import eval_sh_legendre
 
-from nonsmooth.codegen.emission.runtime.harmonics import (
+from nonsmooth.solver.rows.harmonics import (
     harmonic_integrals,
     multiples,
     series_on_phase,
     weighted_integrals,
 )
-from nonsmooth.codegen.emission.runtime.moments import legendre_moments, spherical_bessel
-from nonsmooth.codegen.emission.runtime.polynomials import phase_motion
+from nonsmooth.solver.rows.moments import legendre_moments, spherical_bessel
+from nonsmooth.solver.rows.polynomials import phase_motion
 
 NODES, WEIGHTS = leggauss(60)
 NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2

@@ -11,11 +11,9 @@ from math import pi
 import numpy as np
 from numpy.polynomial import legendre
 
+from ...generated.hb import by_time
 from .harmonics import multiples
 from .joints import BESIDE, CLASS
-
-#: Closed forms, which the generator writes.
-by_time = None  # the derivatives of sine and cosine by time
 
 
 def legendre_on_phase(series, duration, u, derivative):

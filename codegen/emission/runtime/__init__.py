@@ -1,1 +1,0 @@
-"""What kernels call besides their closed forms: real functions, copied into each module."""

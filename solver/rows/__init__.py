@@ -1,0 +1,1 @@
+"""Residuals and Jacobians of any phases: loops around the closed forms of `generated`."""
