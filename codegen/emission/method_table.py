@@ -4,7 +4,6 @@ from types import ModuleType
 
 from .. import expansions
 from ..galerkin import polynomials
-from ..python_text import digest
 from ..scene.smoothness import HIGHEST
 
 HEADER = '''"""The methods that every scene has: what tables, fits and pictures know of them.
@@ -31,12 +30,11 @@ def methods_source() -> str:
         f"    {module.METHOD!r}: {{\n{_facts(module)}    }},\n" for module in modules
     )
     first = next(module.METHOD for module in modules if expansions.about(module).first)
-    body = (
-        f"{TABLE}METHODS = {{\n{rows}}}\n\n"
+    return (
+        f"{HEADER}{TABLE}METHODS = {{\n{rows}}}\n\n"
         f"#: The one from whose times all others start, and by which they are judged.\n"
         f"FIRST = {first!r}\n"
     )
-    return f'{HEADER}BODY = "{digest(body)}"  # of the text below\n\n{body}'
 
 
 def _unseen(module: ModuleType) -> tuple[int, ...]:

@@ -63,13 +63,10 @@ def module_text(
         body += "\n\n" + inspect.getsource(rising)
     names = math_names(body)
     math = f"from math import {', '.join(names)}\n\n" if names else ""
-    return f"{document}\n{math}{marks((*beside, *closed_forms), body)}\n\n{body}"
+    return f"{document}\n{math}{mark((*beside, *closed_forms))}\n\n{body}"
 
 
-def marks(closed_forms: Sequence[ClosedForm], text: str) -> str:
-    """Return the lines that say of which derivation a module is, and what its text is."""
+def mark(closed_forms: Sequence[ClosedForm]) -> str:
+    """Return the line that says of which derivation a module is."""
     derived = "\n".join(f"{q.name}{q.arguments}{sp.srepr(q.values)}" for q in closed_forms)
-    return (
-        f'MATHEMATICS = "{digest(derived)}"  # of the closed forms, by srepr\n'
-        f'BODY = "{digest(text)}"  # of the text below\n'
-    )
+    return f'MATHEMATICS = "{digest(derived)}"  # of the closed forms, by srepr\n'

@@ -10,7 +10,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, exp, expm1, sin, sqrt
 
 MATHEMATICS = "cf04f8637539ff61b95c2446063ffca3ca4da78d989b4028e93e9c993be0a1b1"  # of the closed forms, by srepr
-BODY = "24b7ba75a241e834cc49febcda9eeada7f3eb451a2a659a038751e10ba5e6156"  # of the text below
 
 
 def strength(L, EI, rho_A, theta):
@@ -61,16 +60,6 @@ def shape_rest(beta, x, b):
 def static_sum(a):
     """Return the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2."""
     return ((a*a)*((a - 1)*(a - 1)))/3
-
-
-def legendre_norm_squared(l, h):
-    """Return the integral of P_l* squared over a segment of length h."""
-    return h/(2*l + 1)
-
-
-def legendre_integral(l, h):
-    """Return the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*)."""
-    return h/(4*l + 2)
 
 
 def forced_modes(a):

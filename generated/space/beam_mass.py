@@ -10,7 +10,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, exp, expm1, sin, sqrt
 
 MATHEMATICS = "df603288b3004aebb3f4c473b332d6e078f8c93e52892d2ffa181ea13b3ad3b0"  # of the closed forms, by srepr
-BODY = "7df3948ba69e78bd5c26373415ea6774a1b64d5f1003083ec8513b06d672803c"  # of the text below
 
 
 def strength(L, EI, rho_A, m_0):
@@ -61,16 +60,6 @@ def shape_rest(beta, x, b):
 def static_sum(a):
     """Return the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2."""
     return ((a*a)*((a - 1)*(a - 1)))/3
-
-
-def legendre_norm_squared(l, h):
-    """Return the integral of P_l* squared over a segment of length h."""
-    return h/(2*l + 1)
-
-
-def legendre_integral(l, h):
-    """Return the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*)."""
-    return h/(4*l + 2)
 
 
 def forced_modes(a):

@@ -10,7 +10,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, exp, expm1, sin, sqrt
 
 MATHEMATICS = "11154631c748b6ea9538ddb734a61c04c2029a855335465a9e4cd71ef943608a"  # of the closed forms, by srepr
-BODY = "13afbd4b4d815648c6356306351a90af921d97f4ed067f0eb25c5278cbf69493"  # of the text below
 
 
 def strength(L, EI, rho_A, J):
@@ -61,16 +60,6 @@ def shape_rest(beta, x, b):
 def static_sum(a):
     """Return the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2."""
     return (3*(a*a) - 3*a + 1)/3
-
-
-def legendre_norm_squared(l, h):
-    """Return the integral of P_l* squared over a segment of length h."""
-    return h/(2*l + 1)
-
-
-def legendre_integral(l, h):
-    """Return the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*)."""
-    return h/(4*l + 2)
 
 
 def forced_modes(a):

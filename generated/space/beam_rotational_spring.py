@@ -10,7 +10,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, exp, expm1, sin, sqrt
 
 MATHEMATICS = "a3549a30d2ab1c4530c94ff5f7404845d7f4c175bb8f221dc704cc1d258d3673"  # of the closed forms, by srepr
-BODY = "eb8513b44875b982a8bfec31bc26e2e31e50887aed06cc13a9bfa47055966944"  # of the text below
 
 
 def strength(L, EI, rho_A, k_r):
@@ -61,16 +60,6 @@ def shape_rest(beta, x, b):
 def static_sum(a):
     """Return the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2."""
     return (3*(a*a) - 3*a + 1)/3
-
-
-def legendre_norm_squared(l, h):
-    """Return the integral of P_l* squared over a segment of length h."""
-    return h/(2*l + 1)
-
-
-def legendre_integral(l, h):
-    """Return the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*)."""
-    return h/(4*l + 2)
 
 
 def forced_modes(a):

@@ -10,7 +10,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, exp, expm1, sin, sqrt
 
 MATHEMATICS = "ef98fe88976a4483fa6814da673ee506ee1285955d1c2ed0a65325a877463817"  # of the closed forms, by srepr
-BODY = "d601cee581374de6b975d3bd4c461aee7973d477063370a54b436a049d1225c4"  # of the text below
 
 
 def strength(L, EI, rho_A, k):
@@ -61,16 +60,6 @@ def shape_rest(beta, x, b):
 def static_sum(a):
     """Return the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2."""
     return ((a*a)*((a - 1)*(a - 1)))/3
-
-
-def legendre_norm_squared(l, h):
-    """Return the integral of P_l* squared over a segment of length h."""
-    return h/(2*l + 1)
-
-
-def legendre_integral(l, h):
-    """Return the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*)."""
-    return h/(4*l + 2)
 
 
 def forced_modes(a):

@@ -10,7 +10,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, sin, sqrt
 
 MATHEMATICS = "c3ab41e17edae94f6a6591d4ec0d2d47dc8b76a3943dcf5ad2503154886de95e"  # of the closed forms, by srepr
-BODY = "cf6e1570fa6fe8a58ce1246d5fc350abcb009a88cd178670ef9393358328be24"  # of the text below
 
 
 def strength(L, T, rho_L, m_0):
@@ -57,16 +56,6 @@ def shape_rest(beta, x, b):
 def static_sum(a):
     """Return the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2."""
     return -a*(a - 1)
-
-
-def legendre_norm_squared(l, h):
-    """Return the integral of P_l* squared over a segment of length h."""
-    return h/(2*l + 1)
-
-
-def legendre_integral(l, h):
-    """Return the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*)."""
-    return h/(4*l + 2)
 
 
 def forced_modes(a):

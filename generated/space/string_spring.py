@@ -10,7 +10,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, sin, sqrt
 
 MATHEMATICS = "de5c7e2db4752941033b3dcfaf1247421d05670375498d4b7da5350a9f399675"  # of the closed forms, by srepr
-BODY = "c4ee5fe073d42353d976d80d87638cf7dbe890aade517a6396b6e57f668bc1c6"  # of the text below
 
 
 def strength(L, T, rho_L, k):
@@ -57,16 +56,6 @@ def shape_rest(beta, x, b):
 def static_sum(a):
     """Return the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2."""
     return -a*(a - 1)
-
-
-def legendre_norm_squared(l, h):
-    """Return the integral of P_l* squared over a segment of length h."""
-    return h/(2*l + 1)
-
-
-def legendre_integral(l, h):
-    """Return the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*)."""
-    return h/(4*l + 2)
 
 
 def forced_modes(a):

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.polynomial import legendre
 
+from ....generated.space.series import legendre_integral, legendre_norm_squared
 from ...arrays import Matrix, Vector
 from ..attached import Attached
 from ..eigenvalues.bracketing import EPS
@@ -54,19 +55,18 @@ class Pieces:
         """Return a derivative of the function that is straight on both sides."""
         return np.asarray(_hat(self.lengths).values(x, derivative, side)[0])
 
-    def orthonormal(self, attached: Attached) -> Matrix:
+    def orthonormal(self) -> Matrix:
         """Return the coefficients in orthonormal polynomials, both segments stacked."""
         _, size, count = self.coefficients.shape
-        norms = _norms(attached, self.lengths, size)
+        norms = _norms(self.lengths, size)
         return np.asarray((norms[:, :, None] * self.coefficients).reshape(-1, count))
 
-    def integrated(self, attached: Attached) -> "Pieces":
+    def integrated(self) -> "Pieces":
         """Return the integrals from 0, continuous at `a`."""
-        factor = attached.structure.module.legendre_integral
         _, size, count = self.coefficients.shape
         found, start = np.zeros((2, size + 1, count)), np.zeros(count)
         for integral, part, h in zip(found, self.coefficients, self.lengths, strict=True):
-            scaled = factor(np.arange(size), h)[:, None] * part
+            scaled = legendre_integral(np.arange(size), h)[:, None] * part
             integral[1:] += scaled
             integral[:-2] -= scaled[1:]
             integral[0] += scaled[0] + start  # P_(-1)* = -1: zero at the start of the segment
@@ -88,10 +88,10 @@ def _derivative(pieces: Pieces, derivative: int) -> Iterator[Matrix]:
         yield legendre.legder(part, derivative) * (2 / h) ** derivative
 
 
-def _norms(attached: Attached, lengths: tuple[float, float], size: int) -> Matrix:
+def _norms(lengths: tuple[float, float], size: int) -> Matrix:
     """Return the norms of so many polynomials on each segment, shape (2, size)."""
-    norm_squared = attached.structure.module.legendre_norm_squared
-    return np.asarray(np.sqrt(norm_squared(np.arange(size), np.array(lengths)[:, None])))
+    squares = legendre_norm_squared(np.arange(size), np.array(lengths)[:, None])
+    return np.asarray(np.sqrt(squares))
 
 
 def _hat(lengths: tuple[float, float]) -> Pieces:
@@ -119,8 +119,8 @@ def piecewise(attached: Attached, N: int, continuity: int | None = None) -> Bare
     start = _orthonormal(attached, degree)
     rows = _conditions(start, m, max(k, m - 1))
     basis = start.combined(_nullspace(rows, start.coefficients.shape[2]))
-    u = _integrals(basis, attached)
-    each, sigma, turned = np.linalg.svd(u.orthonormal(attached), full_matrices=False)
+    u = _integrals(basis, m)
+    each, sigma, turned = np.linalg.svd(u.orthonormal(), full_matrices=False)
     good = sigma > np.finfo(float).tiny ** 0.25
     each, sigma, turned = each[:, good], sigma[good], turned[good]
     modes = u.combined(turned.T / sigma)
@@ -132,7 +132,7 @@ def piecewise(attached: Attached, N: int, continuity: int | None = None) -> Bare
     if compliant:
         higher = (0, u.coefficients.shape[1] - 2)
         hat = np.pad(_hat(u.lengths).coefficients, ((0, 0), higher, (0, 0)))
-        column = Pieces(u.lengths, hat).orthonormal(attached)[:, 0]
+        column = Pieces(u.lengths, hat).orthonormal()[:, 0]
         felt = column @ each
         left = column - each @ felt
         static, rest = float(column @ column), float(left @ left)
@@ -159,7 +159,7 @@ def _orthonormal(attached: Attached, degree: int) -> Pieces:
     """
     size, near = degree + 1, min(attached.a, 1 - attached.a)
     lengths = float(near), float(1 - near)
-    scaled = np.diag(1 / _norms(attached, lengths, size).ravel())
+    scaled = np.diag(1 / _norms(lengths, size).ravel())
     return Pieces(lengths, scaled.reshape(2, size, 2 * size))
 
 
@@ -183,10 +183,10 @@ def _nullspace(rows: list[Vector], size: int) -> Matrix:
     return np.asarray(whole[:, len(rows) :])
 
 
-def _integrals(basis: Pieces, attached: Attached) -> Pieces:
+def _integrals(basis: Pieces, m: int) -> Pieces:
     """Return the displacements, zero at both ends."""
-    found = basis.integrated(attached)
-    if attached.structure.m == 1:
+    found = basis.integrated()
+    if m == 1:
         return found
-    found = found.integrated(attached)
+    found = found.integrated()
     return found.less_slope(found.values(np.ones(1), 0)[:, 0])
