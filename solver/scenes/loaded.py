@@ -254,8 +254,9 @@ class LoadedScene:
         return name
 
     def numbers(self, function: str, values: Sequence[float]) -> Any:
-        """Return what a function of the module says of parameters, in order."""
-        return getattr(self.module, function)(*values)
+        """Return what a function of the module says of parameters; without one, nothing."""
+        found = getattr(self.module, function, None)
+        return () if found is None else found(*values)
 
 
 def load_folder(folder: str | Path, kept: Kept | None = None) -> LoadedScene:

@@ -177,8 +177,11 @@ def state_of(contacts: tuple[str, ...]) -> tuple[str, ...]:
 def rows(module: ModuleType, function: str) -> tuple[Any, ...]:
     """Return what a function of the module returns, as text: a tuple for each phase.
 
-    It has expressions, or rows of them; of a single expression it is a tuple of one.
+    It has expressions, or rows of them; of a single expression it is a tuple of one.  Of a
+    function that is not there it is empty.
     """
+    if not hasattr(module, function):
+        return ()
     source = ast.parse(inspect.getsource(getattr(module, function)))
     (result,) = (node for node in ast.walk(source) if isinstance(node, ast.Return))
     assert isinstance(result.value, ast.Tuple)
