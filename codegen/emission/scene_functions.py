@@ -83,13 +83,8 @@ def of_phases(scene: Scene) -> Iterator[Function]:
     """Yield those on the phases of one motion."""
     phases, memory = scene.cell, [q.symbol for q in scene.memory]
 
-    def row(expression: sp.Expr, what: str) -> Row:
-        if scene.body is not None:
-            return form(expression, scene, what)
-        return state_row(expression, what, memory).coefficients
-
     def forms(demands: Mapping[str, sp.Expr], what: str) -> list[Row]:
-        return [row(part, what) for _, part in _linear(demands)]
+        return [form(part, scene, what) for _, part in _linear(demands)]
 
     sides = "m x'' + c x' + k x = f + g cos"
     more = "" if not memory else ", and of each memory on the right side"
@@ -110,7 +105,7 @@ def of_phases(scene: Scene) -> Iterator[Function]:
     yield _rows(
         "events",
         "Return the linear form that is zero at the end of each phase, v before it.",
-        [row(p.ends.zero, p.name) for p in phases],
+        [form(p.ends.zero, scene, p.name) for p in phases],
     )
     yield _rows(
         "jumps",
@@ -130,12 +125,7 @@ def of_phases(scene: Scene) -> Iterator[Function]:
     yield _rows(
         "memory",
         "Return the linear form that each memory is set to.",
-        [
-            form(q.value, scene, str(q.symbol), memory=False)
-            if scene.body is not None
-            else state_row(q.value, str(q.symbol)).coefficients
-            for q in scene.memory
-        ],
+        [form(q.value, scene, str(q.symbol), memory=False) for q in scene.memory],
     )
 
 
@@ -162,9 +152,9 @@ def start(scene: Scene) -> Iterator[Function]:
     """Yield the function of the state in which the first phase begins, if the scene says it."""
     if scene.start:
         zero = sp.Add(*(symbol - value for symbol, value in scene.start.items()))
-        row = state_row(zero, "start")
+        of_x, of_v, _, constant = state_row(zero, "start")
         summary = "Return x, v and constant of what is zero where the first phase begins."
-        yield _scalars("start", summary, (row.x, row.v, row.constant))
+        yield _scalars("start", summary, (of_x, of_v, constant))
 
 
 def guess(scene: Scene) -> Function:
@@ -176,8 +166,8 @@ def guess(scene: Scene) -> Function:
 
 def _jump(phase: Phase, scene: Scene) -> tuple[sp.Expr, ...]:
     if scene.body is None:
-        row = state_row(phase.ends.jump.get(v, v), phase.name)
-        return row.v, row.constant
+        _, rho, _, constant = form(phase.ends.jump.get(v, v), scene, phase.name, memory=False)
+        return rho, constant
     found: list[sp.Expr] = []
     for contact in scene.body.at.values():
         after = form(phase.ends.jump.get(contact.v, contact.v), scene, phase.name)

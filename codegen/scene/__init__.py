@@ -10,7 +10,7 @@ Nothing here knows an expansion, and nothing names an oscillator.
 from .bodies.body import Body
 from .data import Event, Memory, Parameter, Phase, a, forcing, t, v, x
 from .error import SceneError
-from .linear import LinearPhase, State, linear_phase, state_row
+from .linear import LinearPhase, linear_phase, state_row
 from .orders import in_order
 from .saltation import saltations
 from .scene import Scene
@@ -25,7 +25,6 @@ __all__ = [
     "Phase",
     "Scene",
     "SceneError",
-    "State",
     "Switch",
     "a",
     "forcing",

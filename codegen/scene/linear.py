@@ -29,22 +29,6 @@ class LinearPhase:
         return self.m, self.c, self.k, self.f, self.g, *self.memory
 
 
-@dataclass(frozen=True)
-class State:
-    """``x``, ``v``, ``cos``, a constant, each memory: a linear form in state and forcing."""
-
-    x: sp.Expr
-    v: sp.Expr
-    cos: sp.Expr
-    constant: sp.Expr
-    memory: tuple[sp.Expr, ...] = ()
-
-    @property
-    def coefficients(self) -> tuple[sp.Expr, ...]:
-        """All of them, in that order."""
-        return self.x, self.v, self.cos, self.constant, *self.memory
-
-
 def parts(expression: sp.Expr, symbols: Sequence[sp.Symbol], what: str) -> list[sp.Expr]:
     """Return the coefficient of each symbol, and the rest.
 
@@ -77,17 +61,17 @@ def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
     return LinearPhase(m, c, k, -f, -g, tuple(-h for h in others))
 
 
-def state_row(expression: sp.Expr, what: str, memory: Sequence[sp.Symbol] = ()) -> State:
-    """Return a linear form in displacement, velocity, forcing and memory.
+def state_row(
+    expression: sp.Expr, what: str, memory: Sequence[sp.Symbol] = ()
+) -> tuple[sp.Expr, ...]:
+    """Return a linear form: of displacement, velocity, forcing, 1 and memory.
 
     A `SceneError` is raised if `expression` is not one; the message begins with `what`.
     """
     if sp.sympify(expression).has(a):
         raise SceneError(f"{what}: {expression} has the acceleration a, expected x, v, forcing")
-    row_x, row_v, cos, *others, constant = parts(
-        sp.sympify(expression), (x, v, forcing, *memory), what
-    )
-    return State(row_x, row_v, cos, constant, tuple(others))
+    *found, rest = parts(sp.sympify(expression), (x, v, forcing, *memory), what)
+    return (*found[:3], rest, *found[3:])
 
 
 def fixed(phase: Phase, symbol: sp.Symbol) -> sp.Expr | None:

@@ -39,8 +39,8 @@ def check_phase(
         if m.is_nonpositive:
             raise SceneError(f"got {m} times a, expected a positive mass")
     with named(f"{field}: ends"):
-        row = state_row(phase.ends.zero, f"{field}: ends", memory)
-        if row.x == row.v == row.cos == 0:
+        of_x, of_v, cos, *_ = state_row(phase.ends.zero, f"{field}: ends", memory)
+        if of_x == of_v == cos == 0:
             raise SceneError(f"{phase.ends.zero} depends on neither x, v nor forcing")
     _check_jump(phase, units, memory)
     if phase.held is not None:
@@ -50,7 +50,7 @@ def check_phase(
             check_velocity(phase.held, units)
             if sp.sympify(phase.held).has(x, v, forcing, *memory):
                 raise SceneError(f"got {phase.held}, expected a velocity in the parameters")
-        if row.cos == 0 and (row.x == 0 or sp.sympify(phase.held) == 0):
+        if cos == 0 and (of_x == 0 or sp.sympify(phase.held) == 0):
             raise SceneError(
                 f"{field}: ends: {phase.ends.zero} does not change while it is held"
             )
@@ -95,8 +95,8 @@ def _check_jump(phase: Phase, units: Units, memory: Sequence[sp.Symbol]) -> None
             if symbol != v:
                 raise SceneError(f"got a jump of {symbol}, expected one of v")
             check_velocity(value, units)
-            row = state_row(value, f"phase {phase.name}: jump")
-            if row.x != 0 or row.cos != 0 or sp.sympify(value).has(*memory):
+            of_x, _, cos, _ = state_row(value, f"phase {phase.name}: jump")
+            if of_x != 0 or cos != 0 or sp.sympify(value).has(*memory):
                 raise SceneError(f"got {value}, expected the velocity v alone in it")
 
 

@@ -95,7 +95,7 @@ def _known(left: Phase, right: Phase, k: int) -> dict[sp.Symbol, sp.Expr]:
         values |= {before: sp.Integer(0), v: sp.sympify(left.held)}
     if right.held is not None:
         values[after] = sp.Integer(0)
-        row = state_row(left.ends.zero, f"phase {left.name}: ends")
-        if row.x == 0 and row.cos == 0:
-            values[v] = sp.simplify(-row.constant / row.v)
+        of_x, of_v, cos, constant = state_row(left.ends.zero, f"phase {left.name}: ends")
+        if of_x == 0 and cos == 0:
+            values[v] = sp.simplify(-constant / of_v)
     return values

@@ -120,9 +120,8 @@ def known_rows(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[l
     `sign` is what the motion is multiplied by there: y is that of the right side.
     """
     memory = [q.symbol for q in scene.memory]
-    event = state_row(left.ends.zero, f"phase {left.name}: ends", memory)
-    mirrored = [sign * event.x, sign * event.v, event.constant, sign * event.cos, 0]
-    known = [[*mirrored, *event.memory]]
+    of_x, of_v, cos, one, *own = state_row(left.ends.zero, f"phase {left.name}: ends", memory)
+    known = [[sign * of_x, sign * of_v, one, sign * cos, 0, *own]]
     nothing = [sp.Integer(0)] * len(memory)
     if left.held is not None:
         known.append([0, sign, -left.held, 0, 0, *nothing])
@@ -131,8 +130,8 @@ def known_rows(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[l
         known.append([sign, 0, -at, 0, 0, *nothing])
     for column, q in enumerate(scene.memory):
         if q.at == right.name:
-            row = state_row(q.value, f"memory {q.symbol}")
-            known.append([row.x, row.v, row.constant, row.cos, 0, *nothing])
+            of_x, of_v, cos, one = state_row(q.value, f"memory {q.symbol}")
+            known.append([of_x, of_v, one, cos, 0, *nothing])
             known[-1][5 + column] = sp.Integer(-1)
     return known
 

@@ -12,7 +12,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from ..data import Phase, SceneData, forcing
 from ..error import SceneError
-from ..linear import parts
+from ..linear import parts, state_row
 from .body import Body
 
 #: Derivatives of the force that are looked at.
@@ -35,12 +35,14 @@ def signals(body: Body) -> tuple[sp.Symbol | sp.Integer, ...]:
 def form(
     expression: sp.Expr, scene: SceneData, what: str, memory: bool = True
 ) -> tuple[sp.Expr, ...]:
-    """Return a linear form in the signals of a scene's body and, with it, in its memory.
+    """Return a linear form in the signals of a scene, of one mass `state_row`, and its memory.
 
     A `SceneError` is raised if `expression` is not one; the message begins with `what`.
     """
     own = [q.symbol for q in scene.memory] if memory else []
-    symbols = [q for q in (*signals(body_of(scene)), *own) if q != 1]
+    if scene.body is None:
+        return state_row(expression, what, own)
+    symbols = [q for q in (*signals(scene.body), *own) if q != 1]
     *found, rest = parts(sp.sympify(expression), symbols, what)
     return (*found[:3], rest, *found[3:])
 

@@ -29,8 +29,8 @@ MUTANTS = (
     Mutant(
         "the law of an impact with constant and factor exchanged",
         "codegen/emission/scene_functions.py",
-        "return row.v, row.constant",
-        "return row.constant, row.v",
+        "return rho, constant",
+        "return constant, rho",
         NUMBERS,
     ),
     Mutant(
