@@ -8,7 +8,8 @@ method of Lanczos), not the functions themselves: then the times converge about 
 import sympy as sp
 
 from ..galerkin import GalerkinConditions, polynomials
-from ..galerkin.bodies import BodyConditions, series
+from ..galerkin.bodies import series
+from ..galerkin.condition import BodyConditions
 from ..scene import Scene
 from . import About
 

@@ -10,9 +10,8 @@ from collections.abc import Iterator
 import sympy as sp
 
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
-from ..galerkin.bodies import BodyConditions
 from ..galerkin.bodies import harmonics as of_forces
-from ..galerkin.condition import N
+from ..galerkin.condition import BodyConditions, N
 from ..galerkin.harmonics import Harmonics, a, a0, angle, b, j, n
 from ..scene import Scene, Switch, switches, v
 from . import About

@@ -21,8 +21,8 @@ from functools import partial
 import sympy as sp
 
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
-from ..galerkin.bodies import BodyConditions
 from ..galerkin.bodies import harmonics as of_forces
+from ..galerkin.condition import BodyConditions
 from ..galerkin.harmonics import Harmonics, j
 from ..scene import Scene, Switch, switches
 from . import About, hb

@@ -13,7 +13,7 @@ from typing import Any
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import Iteration
 from ..scenes.case import Case
-from .compiling import PLAIN_ORDER, Account, inner, rebuilt
+from .compiling import Account, inner, rebuilt
 from .linking import Make
 
 
@@ -81,18 +81,6 @@ class Kernel:
         """Return the durations, and the phase of the forcing or 0."""
         times = self.times(z)
         return times[: self.durations], float(times[-1]) if self.forced else 0.0
-
-
-def pays(spent: Account, order: int) -> bool:
-    """Return whether the next use of a kernel is better by its compiled form.
-
-    Parameters
-    ----------
-    order : int
-        For which it is wanted: of a high order it is compiled from the first, if it is in
-        numba's cache.
-    """
-    return spent.pays() or (order > PLAIN_ORDER and spent.is_cached())
 
 
 def for_others(key: str) -> Make:

@@ -10,9 +10,9 @@ from ...nearest import one_of
 from ..scenes.loaded import SCENE, LoadedScene, UnknownScene
 from ..scenes.methods import about, generic, module_of, with_class_one, without_class
 from ..scenes.methods import methods as methods  # noqa: PLC0414  (its own, too)
+from .compiling import PLAIN_ORDER, Account
 
 if TYPE_CHECKING:
-    from .compiling import Account
     from .kernel import Kernel
 
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"
@@ -107,18 +107,21 @@ def quicker_kernel(
 ) -> "Kernel":
     """Return the kernel in the form, plain or compiled, that is the better one by now.
 
-    The same as `kernel`, which see; `order` is that for which it is wanted.
+    The same as `kernel`, which see; `order` is that for which it is wanted: for a high one it
+    is compiled from the first, if it is in numba's cache.
     """
-    from .kernel import pays  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
-    return _kernel(scene, method, number, lambda spent: pays(spent, order))
+    def pays(spent: Account) -> bool:
+        return spent.pays() or (order > PLAIN_ORDER and spent.is_cached())
+
+    return _kernel(scene, method, number, pays)
 
 
 def _kernel(
     scene: LoadedScene,
     method: str,
     number: int | None,
-    compiles: "Callable[[Account], bool]",
+    compiles: Callable[[Account], bool],
 ) -> "Kernel":
     """Return the kernel of a method, compiled if that is to be by what it has cost."""
     from . import polynomials, series  # noqa: PLC0415  (NumPy: lists of scenes need none)

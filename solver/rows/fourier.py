@@ -60,11 +60,6 @@ def beside(case):
     return found if odd(cell[0]) else found + 1
 
 
-def size(case, order):
-    """Return the number of unknowns; of half a period the order is the highest harmonic."""
-    return beside(case) + 2 * ((order + 1) // 2 if odd(case[4][0]) else order)
-
-
 def places(case, N):
     """Return where the unknowns of each switch begin, and those behind all of them."""
     kinds, sign = case[0], case[4][0]

@@ -7,9 +7,8 @@ import sympy as sp
 from numpy.polynomial import legendre
 
 from nonsmooth.codegen.equations.registry import conditions
-from nonsmooth.codegen.galerkin.bodies import BodyConditions
 from nonsmooth.codegen.galerkin.bodies.contacts import RATE
-from nonsmooth.codegen.galerkin.condition import N
+from nonsmooth.codegen.galerkin.condition import BodyConditions, N
 from nonsmooth.codegen.scene import Scene
 from nonsmooth.solver.bodies.force_series.layout import layout
 from nonsmooth.solver.bodies.harmonics import system as harmonics

@@ -127,4 +127,4 @@ def test_no_loop_is_there_that_nothing_calls() -> None:
     unused = {name for name in found if not re.search(rf"(?<!def )\b{name}\(", LOOPS)}
     named = (f'"{name}"' for name in unused)  # of those that are linked by their names
     text = (generate.FOLDER.parent / "solver" / "kernels" / "linking.py").read_text("utf-8")
-    assert unused <= {"motion", "size", *(name.strip('"') for name in named if name in text)}
+    assert unused <= {"motion", *(name.strip('"') for name in named if name in text)}

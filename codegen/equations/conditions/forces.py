@@ -4,9 +4,9 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from ...galerkin import Condition, GalerkinConditions
-from ...galerkin.bodies import BodyConditions, Table
+from ...galerkin import GalerkinConditions
 from ...galerkin.bodies.contacts import Contacts, j, pole
+from ...galerkin.condition import BodyConditions, Table
 from ...system import Equation
 from .family import Family
 from .functions import t
@@ -16,7 +16,7 @@ z = sp.Function("z_j")
 
 
 class Forces(Family):
-    """The equations of a body whose contact forces are expanded."""
+    """The equations of a body whose contact forces are expanded; its tables say their rates."""
 
     conditions: BodyConditions
 
@@ -31,18 +31,6 @@ class Forces(Family):
         yield from self._shown(self.conditions.expansion)
         yield from self.rows
         yield from self._shown(self.conditions.tables)
-
-    def jacobian(self) -> Iterator[Equation]:
-        """Yield nothing: the tables say all, and their rates follow from their recurrences."""
-        yield from ()
-
-    def closed(self, condition: Condition) -> sp.Expr:
-        """Return a condition as it is."""
-        return condition.expression
-
-    def tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
-        """Return nothing: the title says what is tested."""
-        return ()
 
     def _poles(self) -> Iterator[Equation]:
         scene, contacts, notation = self.scene, Contacts(self.scene), self.notation

@@ -4,7 +4,3 @@ Input: a `Scene` of a body.  Output: a `BodyConditions`: the laws of the contact
 what the poles of the body answer, events, impulses, memory, period; and the tables that these
 look up.  No matrix of the body is in it: it is poles, and what the contacts see of them.
 """
-
-from ..condition import BodyConditions, Table
-
-__all__ = ["BodyConditions", "Table"]
