@@ -83,6 +83,15 @@ def test_a_law_says_what_the_force_is() -> None:
         replace(good, phases=(Phase("p", law, Event(law)), good.phases[1]))
 
 
+@pytest.mark.parametrize("value", [g, k, sp.Integer(1)])
+def test_what_a_velocity_jumps_to_is_one(value: sp.Expr) -> None:
+    good = scene()
+    tip = good.body.at["tip"]
+    flight = Phase("off", tip.force, Event(tip.x - g, {tip.v: value}), {"it is off": g - tip.x})
+    with pytest.raises(SceneError, match=f"phase off: jump: {value} is not a velocity"):
+        replace(good, phases=(flight,))
+
+
 def test_a_memory_knows_no_force() -> None:
     """It may jump where the memory is set."""
     good = jenkins_absorber.SCENE

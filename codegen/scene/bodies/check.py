@@ -125,6 +125,7 @@ def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
         with named(f"{field}: jump"):
             if symbol not in [q.v for q in contacts]:
                 raise SceneError(f"got a jump of {symbol}, expected one of {contacts[0].v}")
+            check_velocity(value, units)
             row = form(value, scene, f"{field}: jump")
             kept = {3, place(body_of(scene), symbol)}
             if any(c != 0 for i, c in enumerate(row) if i not in kept):
