@@ -12,15 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from .part import (
-    angles_of,
-    later,
-    parts_of,
-    phase_map,
-    rates,
-    turned,
-    wave,
-)
+from .part import angles_of, later, parts_of, phase_map, rates, turned, wave
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
@@ -47,14 +39,11 @@ class Evaluation:
         By durations and phase.
     starts : ndarray, shape (P, n)
         ``X = (y, memory)`` where each phase begins.
-    starts_by : ndarray, shape (P, n, unknowns)
-        Their derivatives.
     """
 
     residual: Vector
     jacobian: Matrix
     starts: Matrix
-    starts_by: Matrix
 
 
 Maps = list[tuple[Matrix, Matrix]]
@@ -111,46 +100,37 @@ def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
     return found
 
 
-@dataclass(frozen=True, eq=False)
-class _Passed:
-    """A cell from a state at its beginning on, with derivatives by some unknowns.
+def _passed(
+    cell: "BodyCell", maps: Maps, times: Vector, X: Vector, X_by: Matrix
+) -> tuple[Vector, Matrix, Matrix, Matrix]:
+    """Pass a cell from a state at its beginning on, with derivatives by the times.
 
-    Parameters
-    ----------
+    Returns
+    -------
     events : ndarray, shape (P,)
-    events_by : ndarray, shape (P, unknowns)
-    starts : ndarray, shape (P + 1, n)
-        Where each phase begins; at last the end of the cell, mirrored if cells are.
-    starts_by : ndarray, shape (P + 1, n, unknowns)
+    events_by : ndarray, shape (P, times)
+    starts : ndarray, shape (P, n)
+        Where each phase begins.
+    end_by : ndarray, shape (n, times)
+        Derivatives of the end of the cell, mirrored if cells are.
     """
-
-    events: Vector
-    events_by: Matrix
-    starts: Matrix
-    starts_by: Matrix
-
-
-def _passed(cell: "BodyCell", maps: Maps, times: Vector, X: Vector, X_by: Matrix) -> _Passed:
-    """Pass a cell; of the unknowns, by which `X_by` is, the times are the last."""
-    count, size, width = len(maps), len(X), X_by.shape[1]
-    theta, turns = angles_of(cell, times), np.zeros((count + 1, width))
-    by_times = slice(width - len(times), None)
-    turns[:, by_times] = _turns(cell, count, len(times))
-    starts, starts_by = np.empty((count + 1, size)), np.empty((count + 1, size, width))
-    events, events_by = np.empty(count), np.empty((count, width))
+    count, width, theta = len(maps), len(times), angles_of(cell, times)
+    turns = cell.omega * np.tri(count + 1, width, -1)  # of the angles by the times
+    if cell.forced:
+        turns[:, -1] = 1.0
+    starts, events, events_by = np.empty((count, len(X))), np.empty(count), []
     for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
-        starts[p], starts_by[p] = X, X_by
+        starts[p] = X
         X = along @ X + by_wave @ wave(theta[p])
         X_by = along @ X_by + np.outer(by_wave @ turned(theta[p]), turns[p])
-        X_by[:, by_times.start + p] += rates(part, X, theta[p + 1])
+        X_by[:, p] += rates(part, X, theta[p + 1])
         event, there = part.closing.gradient, part.closing.waves
         events[p] = event @ X + there @ wave(theta[p + 1])
-        events_by[p] = event @ X_by + there @ turned(theta[p + 1]) * turns[p + 1]
+        events_by.append(event @ X_by + there @ turned(theta[p + 1]) * turns[p + 1])
         across, inputs = part.closing.state, part.closing.inputs
         X = across @ X + inputs @ wave(theta[p + 1])
         X_by = across @ X_by + np.outer(inputs @ turned(theta[p + 1]), turns[p + 1])
-    starts[-1], starts_by[-1] = cell.sign * X, cell.sign * X_by
-    return _Passed(events, events_by, starts, starts_by)
+    return events, np.array(events_by), starts, cell.sign * X_by
 
 
 def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
@@ -158,9 +138,12 @@ def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     maps = [phase_map(part, float(s)) for part, s in zip(parts, times, strict=False)]
     closed, offset = _through(cell, maps, theta - theta[0])
     X = _closed(closed, offset) @ wave(theta[0])
-    moved = _passed(cell, maps, times, X, np.zeros((len(X), len(times)))).starts_by[-1]
-    found = _passed(cell, maps, times, X, _closed(closed, moved))
-    return _with_length(cell, times, found.events, found.events_by, found)
+    *_, moved = _passed(cell, maps, times, X, np.zeros((len(X), len(times))))
+    residual, jacobian, starts, _ = _passed(cell, maps, times, X, _closed(closed, moved))
+    if cell.forced:
+        residual = np.append(residual, times[:-1].sum() - cell.duration)
+        jacobian = np.vstack([jacobian, np.append(np.ones(len(parts)), 0.0)])
+    return Evaluation(residual, jacobian, starts)
 
 
 def left_open(cell: "BodyCell", times: Vector) -> float:
@@ -174,29 +157,6 @@ def left_open(cell: "BodyCell", times: Vector) -> float:
     X = along @ starts[-1] + by_wave @ wave(theta[-2])
     X = part.switch.state @ X + part.switch.inputs @ wave(theta[-1])
     return float(np.abs(cell.sign * X - starts[0]).max() / (np.abs(starts).max() or 1.0))
-
-
-def _turns(cell: "BodyCell", count: int, width: int) -> Matrix:
-    """Return how the angles where phases begin, and the last ends, move with the times."""
-    found = np.zeros((count + 1, width))
-    for p in range(count + 1):
-        found[p, :p] = cell.omega
-    if cell.forced:
-        found[:, -1] = 1.0
-    return found
-
-
-def _with_length(
-    cell: "BodyCell", times: Vector, residual: Vector, jacobian: Matrix, found: _Passed
-) -> Evaluation:
-    """Return an evaluation with the duration of the cell, which a forcing makes known."""
-    if cell.forced:
-        count = len(cell.phases)
-        residual = np.append(residual, times[:count].sum() - cell.duration)
-        row = np.zeros(jacobian.shape[1])
-        row[-1 - count : -1] = 1.0
-        jacobian = np.vstack([jacobian, row])
-    return Evaluation(residual, jacobian, found.starts[:-1], found.starts_by[:-1])
 
 
 @lru_cache(maxsize=8)
@@ -216,10 +176,7 @@ def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     return _kept(cell, np.ascontiguousarray(times, dtype=float).tobytes())
 
 
-def seen(
-    cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix,
-    found: Evaluation | None = None,
-) -> Matrix:  # fmt: skip
+def seen(cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix) -> Matrix:
     """Return linear forms of ``(y, cos, sin, 1, memory)`` on phase `p`, at local times.
 
     Parameters
@@ -228,17 +185,14 @@ def seen(
         Local times in [0, 1].
     rows : ndarray
         The forms, a row each.
-    found : Evaluation, optional
-        At these times; without it that of `evaluated`.
 
     Returns
     -------
     ndarray, shape (len(rows), len(u))
     """
     part = parts_of(cell)[p]
-    found = evaluated(cell, times) if found is None else found
     states = part.lawful.A.shape[0]
-    start, theta = found.starts[p], float(angles_of(cell, times)[p])
+    start, theta = evaluated(cell, times).starts[p], float(angles_of(cell, times)[p])
     t = float(times[p]) * np.asarray(u, dtype=float)
     inputs = np.concatenate([wave(theta), start[states:]])
     there = theta + cell.omega * t

@@ -17,9 +17,6 @@ from ..arrays import Complex, Indices, Matrix, Vector
 from .modes import DENSE, natural_modes, signs
 from .systems import BodyError, Solve, exact_product, factored, solver
 
-#: Where nothing forces, what is added to K for each M, as a part of the mean of K over M.
-SHIFT = 1e-8
-
 #: What a contact, or a damper, may see of a mode that it does not see, as a part.
 UNSEEN = 1e-11
 
@@ -95,7 +92,7 @@ class Modal:
 
 
 def modal(
-    matrices: Mapping[str, Any], modes: int | None, shift: float = 0.0, jumps: bool = False
+    matrices: Mapping[str, Any], modes: int | None, shift: float, jumps: bool = False
 ) -> Modal:
     """Return a body in its modes, damped by its matrix of damping alone; see `damped`.
 
@@ -106,8 +103,7 @@ def modal(
     modes : int, optional
         How many are kept; without it all.
     shift : float
-        What the spectrum is shifted by where a few of many modes are found; without it a small
-        part of the highest.
+        What the spectrum is shifted by where a few of many modes are found.
     jumps : bool
         Whether a contact force may jump.
 
@@ -128,7 +124,6 @@ def modal(
     whole = count == n
     if whole and n > DENSE:
         raise BodyError(f"the body has {n} degrees of freedom: say how many modes are kept")
-    shift = shift or SHIFT * K.diagonal().sum() / M.diagonal().sum()
     factors = None if whole else factored(K + shift * M)
     squares, shapes = natural_modes(M, K, count, shift, factors)
     own = shapes @ _seen_first(shapes.T @ at, squares == 0)

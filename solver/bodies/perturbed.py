@@ -6,25 +6,18 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..iteration.linear import product
-from .exact import Evaluation, evaluated
+from .exact import evaluated
 from .part import angles_of, parts_of, phase_map, rates, turned, wave
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
 
-def cell_map(
-    cell: "BodyCell", times: Vector, found: Evaluation | None = None
-) -> tuple[Matrix, Matrix, Vector]:
+def cell_map(cell: "BodyCell", times: Vector) -> tuple[Matrix, Matrix, Vector]:
     """Return what a cell makes of perturbations of ``X = (y, memory)``, before it is mirrored.
 
     The product over the phases of the flow and of the saltation at the switch that ends the
     phase, ``S = R + (F+ - R F- - R_t) n^T/(n F- + h_t)``; see `stability.cell_map`.
-
-    Parameters
-    ----------
-    cell, times, found
-        See `exact.seen`.
 
     Returns
     -------
@@ -35,8 +28,7 @@ def cell_map(
         The rate at which the event that ends each phase is crossed, as a part of the size of
         its terms.
     """
-    parts = parts_of(cell)
-    starts = (evaluated(cell, times) if found is None else found).starts
+    parts, starts = parts_of(cell), evaluated(cell, times).starts
     theta, count = angles_of(cell, times), len(parts)
     shape = count, starts.shape[1], starts.shape[1]
     steps, sizes, crossed = np.empty(shape), np.empty(shape), np.empty(count)
