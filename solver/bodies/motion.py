@@ -9,12 +9,7 @@ from ..arrays import Complex, Matrix, Vector
 from . import exact
 from .force_series import series
 from .force_series.integrals import answers
-from .force_series.layout import (
-    Layout,
-    for_harmonics,
-    layout,
-    setting,
-)
+from .force_series.layout import Layout, for_harmonics, layout, setting
 from .harmonics import system as harmonics
 from .laws import places
 from .part import angles_of, generator_of, parts_of
@@ -60,7 +55,7 @@ def derivative(
         own = _layout(cell, order, functions)
         forms = own.phases[p].seen.some([ACCELERATION])
         for _ in range(number - 2):
-            forms = own.poles.rate(forms, own.law(p))
+            forms = own.poles.rate(forms, own.phases[p].force)
         return np.asarray(_seen(cell, order, functions, times, p, u, forms)[0])
     part = parts_of(cell)[p]
     generator = generator_of(part, cell.omega)

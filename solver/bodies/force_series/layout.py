@@ -1,7 +1,7 @@
 """The equations of the force series for a cell: its phases, and where the unknowns are."""
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -30,13 +30,8 @@ class Phase:
 
     Parameters
     ----------
-    poles : Poles
-    law, event : Forms
-        The laws; the event at its end, by the law of the contact force.
-    by_law : ndarray, shape (S + M, S + M)
-        What forms are of, by that law.
-    closure : ndarray, shape (c, S + M)
-        The contact forces are less this of the rest.
+    law, event, force, seen : Forms
+        The laws; by these the event at its end, the contact forces, and what forms are of.
     direct : ndarray, shape (c, c)
         What the forces add to the laws.
     hit : ndarray of int
@@ -50,27 +45,16 @@ class Phase:
     pieces : int
     """
 
-    poles: Poles
     law: Forms
     event: Forms
-    by_law: Matrix
-    closure: Matrix
+    force: Forms
+    seen: Forms
     direct: Matrix
     hit: Indices
     impulse: Matrix
     fixing: Vector
     degree: int
     pieces: int
-
-    @cached_property
-    def force(self) -> Forms:
-        """The contact forces of the poles, by the law."""
-        return self.poles.forms(-self.closure)
-
-    @cached_property
-    def seen(self) -> Forms:
-        """What forms are of, by the law of the contact force."""
-        return self.poles.forms(self.by_law[: len(self.poles.seen[0])])
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,10 +81,6 @@ class Layout:
     first_impulse: int
     first_memory: int
     size: int
-
-    def law(self, p: int) -> Forms:
-        """Return the forces of the poles in a phase, by its law."""
-        return self.phases[p].force
 
     @property
     def memory(self) -> slice:
@@ -272,8 +252,8 @@ def _phase(cell: "BodyCell", poles: Poles, p: int, order: int) -> Phase:
     given = not (law.poles.any() or law.turn.any())
     degree, pieces = (0, 1) if given else _pieces(order)
     return Phase(
-        poles, law, poles.forms(event @ by_law), by_law, closure, direct,
-        hit, np.column_stack([by_velocity, constant]),
+        law, poles.forms(event @ by_law), poles.forms(-closure), poles.forms(by_law[:width]),
+        direct, hit, np.column_stack([by_velocity, constant]),
         _fixing(cell, poles, p) * np.diag(direct), degree, pieces,
     )  # fmt: skip
 

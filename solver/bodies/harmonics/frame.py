@@ -104,7 +104,7 @@ def frame_of(cell: "BodyCell", order: int, functions: int, times: Vector, T: flo
         for c in contacts
     ) + tuple(Break(p + 1, 0, int(c)) for p in range(count) for c in own.phases[p].hit)
     answers = answers_to(poles, breaks, T, ends, cell.sign)
-    laws = tuple(map(own.law, range(count)))
+    laws = tuple(phase.force for phase in own.phases)
     above = formula.answer(turns[:, None] / T, poles.s)
     return Frame(own, functions, T, ends, angles, turns, above, breaks, answers, laws)
 

@@ -1,8 +1,7 @@
 """What is known of a cell of a body at given times in balls: poles, harmonics, breaks."""
 
-from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from itertools import accumulate, pairwise
 from math import factorial
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +14,7 @@ from .body import Balls, Body, Forms, at_end, balls, closed, impulses, laws
 from .pieces import Piece, around, moments
 
 if TYPE_CHECKING:
-    from ...scenes.bodies.cell import BodyCell
+    from ...scenes.bodies.cell import BodyPhase
 
 
 def function(n: int, sign: int) -> list[Fraction]:
@@ -55,7 +54,6 @@ def _ball(part: Fraction) -> Any:
     return arb(fmpq(part.numerator, part.denominator))
 
 
-@dataclass(frozen=True, eq=False)
 class Frame:
     """What is known of a cell at given times; see ``solver.bodies.harmonics.frame``.
 
@@ -65,94 +63,28 @@ class Frame:
     times : ndarray of arb
     """
 
-    given: Given
-    times: Balls
+    def __init__(self, given: Given, times: Balls) -> None:
+        cell = given.cell
+        self.given, self.cell, self.count = given, cell, len(cell.phases)
+        self.body = Body.of(cell, for_harmonics(cell).poles.held)
+        durations = times[: self.count]
+        self.T = self.body.duration(cell) if cell.forced else sum(durations, arb(0))
+        # where phases begin, and the last ends, as parts of the cell
+        self.ends = [arb(0), *accumulate(t / self.T for t in durations[:-1]), arb(1)]
+        self.lengths = [b - a for a, b in pairwise(self.ends)]
+        self.drive = self.body.omega * self.T  # by how much the forcing turns in the cell
+        first = times[self.count] if cell.forced else arb(0)
+        self.angles = [first + self.drive * end for end in self.ends]
+        self.turns = _turns(given.order, cell.sign)
+        self.breaks = _breaks(given)
+        # harmonics, the factors of `breaks`, and the memory are unknown
+        self.waves = len(self.turns) * cell.body.at.shape[1]
+        self.memory = self.waves + len(self.breaks)
+        self.size = self.memory + len(cell.memory)
+        self.pieces, self.laws = self._pieces(), list(map(self._law, cell.phases))
 
-    @cached_property
-    def cell(self) -> "BodyCell":
-        """The cell."""
-        return self.given.cell
-
-    @cached_property
-    def body(self) -> Body:
-        """Its body."""
-        return Body.of(self.cell, for_harmonics(self.cell).poles.held)
-
-    @cached_property
-    def count(self) -> int:
-        """How many phases there are."""
-        return len(self.cell.phases)
-
-    @cached_property
-    def T(self) -> Any:
-        """The duration of the cell."""
-        durations = self.times[: self.count]
-        return self.body.duration(self.cell) if self.cell.forced else sum(durations, arb(0))
-
-    @cached_property
-    def ends(self) -> list[Any]:
-        """Where phases begin, and the last ends, as parts of the cell."""
-        found = [arb(0)]
-        for p in range(self.count - 1):
-            found.append(found[-1] + self.times[p] / self.T)
-        return [*found, arb(1)]
-
-    @cached_property
-    def drive(self) -> Any:
-        """By how much the forcing turns in the cell."""
-        return self.body.omega * self.T
-
-    @cached_property
-    def angles(self) -> list[Any]:
-        """The angles of the forcing at `ends`."""
-        first = self.times[self.count] if self.cell.forced else arb(0)
-        return [first + self.drive * end for end in self.ends]
-
-    @cached_property
-    def turns(self) -> list[Any]:
-        """``h w T`` of the harmonics, ascending; of half a period the odd ones."""
-        order, step = self.given.order, arb.pi()
-        if self.cell.sign > 0:
-            return [2 * h * step for h in range(-order, order + 1)]
-        top = order - (order + 1) % 2
-        return [h * step for h in range(-top, top + 1, 2)]
-
-    @cached_property
-    def breaks(self) -> list[tuple[int, int, int]]:
-        """Where, n and contact of the functions, then where, 0 and contact of the impulses."""
-        contacts, functions = range(self.cell.body.at.shape[1]), self.given.functions or 0
-        found = [
-            (p, max(self.cell.classes[p], 1) + i, c)
-            for p in range(self.count)
-            for i in range(functions)
-            for c in contacts
-        ]
-        hits = [(p + 1, 0, c) for p in range(self.count) for c in impulses(self.cell, p)[0]]
-        return found + hits
-
-    @cached_property
-    def waves(self) -> int:
-        """How many unknowns are harmonics; those of `breaks` follow, then the memory."""
-        return int(len(self.turns) * self.cell.body.at.shape[1])
-
-    @cached_property
-    def memory(self) -> int:
-        """The first unknown that is a memory."""
-        return self.waves + len(self.breaks)
-
-    @cached_property
-    def size(self) -> int:
-        """How many unknowns there are."""
-        return self.memory + len(self.cell.memory)
-
-    @cached_property
-    def lengths(self) -> list[Any]:
-        """The phases, as parts of the cell."""
-        return [b - a for a, b in zip(self.ends, self.ends[1:], strict=False)]
-
-    @cached_property
-    def pieces(self) -> list[Piece]:
-        """The states of the poles by `breaks` on each phase."""
+    def _pieces(self) -> list[Piece]:
+        """Return the states of the poles by `breaks` on each phase."""
         forces: list[dict[int, Any]] = [{} for _ in range(self.count)]
         hits: list[list[tuple[int, int]]] = [[] for _ in range(self.count)]
         for i, (p, n, c) in enumerate(self.breaks):
@@ -169,16 +101,12 @@ class Frame:
         lengths = [length * self.T for length in self.lengths]
         return around(self.body.poles, lengths, forces, hits, len(self.breaks), self.cell.sign)
 
-    @cached_property
-    def laws(self) -> list[Forms]:
-        """The contact forces by the law of each phase."""
-        found = []
-        for phase in self.cell.phases:
-            law = self.body.forms(laws(phase))
-            poles, turn, constant, memory = (0 * q for q in law[:4])
-            force = Forms(poles, turn, constant, memory, balls(np.eye(len(law.direct))))
-            found.append(closed(force, law))
-        return found
+    def _law(self, phase: "BodyPhase") -> Forms:
+        """Return the contact forces by the law of a phase."""
+        law = self.body.forms(laws(phase))
+        poles, turn, constant, memory = (0 * q for q in law[:4])
+        force = Forms(poles, turn, constant, memory, balls(np.eye(len(law.direct))))
+        return closed(force, law)
 
     def integral(self, q: int, turn: Any) -> Any:
         """Return ``int e^(i turn u) du`` over a phase."""
@@ -201,6 +129,23 @@ class Frame:
         rows[:, self.waves : self.memory], known = at_end(forms, states, self.angles[q + side])
         rows[:, self.memory :] = forms.memory
         return rows, known
+
+
+def _turns(order: int, sign: int) -> list[Any]:
+    """Return ``h w T`` of the harmonics, ascending; of half a period the odd ones."""
+    if sign > 0:
+        return [2 * h * arb.pi() for h in range(-order, order + 1)]
+    top = order - (order + 1) % 2
+    return [h * arb.pi() for h in range(-top, top + 1, 2)]
+
+
+def _breaks(given: Given) -> list[tuple[int, int, int]]:
+    """Return where, n and contact of functions, then where, 0 and contact of impulses."""
+    cell, functions = given.cell, range(given.functions or 0)
+    count, contacts = len(cell.phases), range(cell.body.at.shape[1])
+    classes = [max(k, 1) for k in cell.classes]
+    found = [(p, classes[p] + i, c) for p in range(count) for i in functions for c in contacts]
+    return found + [(p + 1, 0, c) for p in range(count) for c in impulses(cell, p)[0]]
 
 
 def of_real(by_harmonic: Balls) -> Balls:
