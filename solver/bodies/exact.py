@@ -6,13 +6,13 @@ one equation an event, and the length of the cell.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache, reduce
+from functools import reduce
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from .part import angles_of, later, parts_of, phase_map, rates, turned, wave
+from .part import angles_of, kept_by_times, later, parts_of, phase_map, rates, turned, wave
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
@@ -133,7 +133,16 @@ def _passed(
     return events, np.array(events_by), starts, cell.sign * X_by
 
 
-def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
+@kept_by_times(8)
+def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
+    """Return residual, Jacobian and states of the exact equations at given times.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    times : ndarray
+        Durations and, if something forces, the phase of the forcing.
+    """
     parts, theta = parts_of(cell), angles_of(cell, times)
     maps = [phase_map(part, float(s)) for part, s in zip(parts, times, strict=False)]
     closed, offset = _through(cell, maps, theta - theta[0])
@@ -157,23 +166,6 @@ def left_open(cell: "BodyCell", times: Vector) -> float:
     X = along @ starts[-1] + by_wave @ wave(theta[-2])
     X = part.switch.state @ X + part.switch.inputs @ wave(theta[-1])
     return float(np.abs(cell.sign * X - starts[0]).max() / (np.abs(starts).max() or 1.0))
-
-
-@lru_cache(maxsize=8)
-def _kept(cell: "BodyCell", times: bytes) -> Evaluation:
-    return _evaluated(cell, np.frombuffer(times))
-
-
-def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
-    """Return residual, Jacobian and states of the exact equations at given times.
-
-    Parameters
-    ----------
-    cell : BodyCell
-    times : ndarray
-        Durations and, if something forces, the phase of the forcing.
-    """
-    return _kept(cell, np.ascontiguousarray(times, dtype=float).tobytes())
 
 
 def seen(cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix) -> Matrix:

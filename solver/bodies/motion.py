@@ -12,7 +12,7 @@ from .force_series.integrals import answers
 from .force_series.layout import Layout, for_harmonics, layout, setting
 from .harmonics import system as harmonics
 from .laws import places
-from .part import angles_of, generator_of, parts_of
+from .part import angles_of, generator_of, kept_by_times, parts_of
 from .poles import Forms
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def _along(
     """Return ``Re(forms @ z)`` at local times of a phase; shape (len(forms), len(u))."""
     own = layout(cell, order)
     pieces, s = own.phases[p].pieces, float(times[p]) / own.phases[p].pieces
-    found = _answers(cell, order, np.ascontiguousarray(times, dtype=float).tobytes(), p)
+    found = _answers(cell, order, p, times)
     which = np.minimum((u * pieces).astype(int), pieces - 1)
     values = np.empty((len(forms), len(u)))
     for piece in np.unique(which):
@@ -116,15 +116,14 @@ def _polynomials(w: bytes, degree: int) -> Matrix:
     return np.asarray(np.polynomial.legendre.legvander(2 * np.frombuffer(w) - 1, degree))
 
 
-@lru_cache(maxsize=64)
+@kept_by_times(64)
 def _answers(
-    cell: "BodyCell", order: int, times: bytes, p: int
+    cell: "BodyCell", order: int, p: int, times: Vector
 ) -> tuple[tuple[Complex, Complex], ...]:
     """Return z on each piece of a phase as ``E e^(kappa u) + sum B_m P_m*(u)``."""
-    own, all_times = layout(cell, order), np.frombuffer(times)
-    unknowns, states = _solved(cell, order, times)
+    own, (unknowns, states) = layout(cell, order), solved(cell, order, times)
     phase, poles = own.phases[p], own.poles
-    s, first = float(all_times[p]) / phase.pieces, own.first_of(p)
+    s, first = float(times[p]) / phase.pieces, own.first_of(p)
     pieces = []
     for e in range(first, first + phase.pieces):
         at, count = own.elements[e][1], (phase.degree + 1) * poles.b.shape[1]
@@ -134,18 +133,12 @@ def _answers(
     return tuple(pieces)
 
 
+@kept_by_times(8)
 def solved(cell: "BodyCell", order: int, times: Vector) -> tuple[Vector, Complex]:
     """Return the unknowns of the force series at given times, and z where pieces begin.
 
     Coefficients of forces by piece, degree and contact, impulses, memory; shape (U,), and
     (E, m).
     """
-    return _solved(cell, order, np.ascontiguousarray(times, dtype=float).tobytes())
-
-
-@lru_cache(maxsize=8)
-def _solved(cell: "BodyCell", order: int, times: bytes) -> tuple[Vector, Complex]:
-    _, _, (_, unknowns), _, (_, starts) = series.linear(
-        setting(cell, order), np.frombuffer(times)
-    )
+    _, _, (_, unknowns), _, (_, starts) = series.linear(setting(cell, order), times)
     return unknowns, unknowns @ starts

@@ -1,8 +1,9 @@
 """The phases of a cell of a body: the laws, the flow and the switch of each, and its map."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING
+from functools import cached_property, lru_cache, wraps
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -100,6 +101,28 @@ def _returning(cell: "BodyCell") -> tuple[Matrix, Matrix]:
     left, values, turns = np.linalg.svd(np.eye(len(along)) - cell.sign * across.state @ along)
     last = int((values > RETURNING).sum())
     return along @ turns[last:].T, left[:, last:]
+
+
+# A function whose last argument are times.
+AtTimes = TypeVar("AtTimes", bound=Callable[..., Any])
+
+
+def kept_by_times(count: int) -> Callable[[AtTimes], AtTimes]:
+    """Return what keeps the last answers of a function of times, so many."""
+
+    def keeping(function: AtTimes) -> AtTimes:
+        @lru_cache(maxsize=count)
+        def kept(*given: Any) -> Any:
+            return function(*given[:-1], np.frombuffer(given[-1]))
+
+        @wraps(function)
+        def at(*given: Any) -> Any:
+            times = np.ascontiguousarray(given[-1], dtype=float)
+            return kept(*given[:-1], times.tobytes())
+
+        return at  # type: ignore[return-value]
+
+    return keeping
 
 
 def wave(angle: float) -> Vector:

@@ -5,9 +5,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Matrix
-from ..bodies import perturbed
+from ..arrays import Matrix, Vector
+from ..bodies.exact import evaluated
+from ..bodies.part import angles_of, parts_of, phase_map, rates, turned, wave
 from ..flow.exact_system import arrays, unknowns_of
+from ..iteration.linear import product
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
 from .cell_map import cell_map
@@ -53,7 +55,7 @@ def monodromy(motion: "Motion") -> Monodromy:
         if isinstance(cell, BodyCell):
             angle = [motion.angle] if cell.forced else []
             times = np.array([*motion.cell_durations, *angle])
-            matrix, size, crossed = perturbed.cell_map(cell, times)
+            matrix, size, crossed = of_body(cell, times)
         else:
             phases = range(len(cell.phases))
             speed = max(float(np.abs(motion.part(p, LOOK, 1)).max()) for p in phases)
@@ -66,6 +68,46 @@ def monodromy(motion: "Motion") -> Monodromy:
                 "perturbations are not mapped linearly"
             )
     return Monodromy(matrix, size, forgotten(cell))
+
+
+def of_body(cell: BodyCell, times: Vector) -> tuple[Matrix, Matrix, Vector]:
+    """Return what a cell makes of perturbations of ``X = (y, memory)``, before it is mirrored.
+
+    The product over the phases of the flow and of the saltation at the switch that ends the
+    phase, ``S = R + (F+ - R F- - R_t) n^T/(n F- + h_t)``; see `stability.cell_map`.
+
+    Returns
+    -------
+    matrix : ndarray, shape (n, n)
+    size : ndarray, shape (n, n)
+        Rounding errors are parts of it; see `linear.product`.
+    crossed : ndarray, shape (P,)
+        The rate at which the event that ends each phase is crossed, as a part of the size of
+        its terms.
+    """
+    parts, starts = parts_of(cell), evaluated(cell, times).starts
+    theta, count = angles_of(cell, times), len(parts)
+    shape = count, starts.shape[1], starts.shape[1]
+    steps, sizes, crossed = np.empty(shape), np.empty(shape), np.empty(count)
+    for p, part in enumerate(parts):
+        along, by_wave = phase_map(part, float(times[p]))
+        end = along @ starts[p] + by_wave @ wave(theta[p])
+        q, sign = (p + 1, 1) if p + 1 < count else (0, cell.sign)
+        before = rates(part, end, theta[p + 1])
+        behind = sign * rates(parts[q], starts[q], theta[q] if q == 0 else theta[p + 1])
+        gradient, waves = part.switch.gradient, part.switch.waves
+        approach = cell.omega * float(waves @ turned(theta[p + 1]))
+        scale = float(np.abs(gradient) @ np.abs(before)) + cell.omega * float(
+            np.abs(waves).sum()
+        )
+        rate = approach + float(gradient @ before)
+        crossed[p] = abs(rate) / scale if scale > 0 else 0.0
+        jump = behind - part.switch.state @ before
+        jump -= cell.omega * (part.switch.inputs @ turned(theta[p + 1]))
+        across = part.switch.state + np.outer(jump, gradient) / rate
+        steps[p] = across @ along
+        sizes[p] = np.abs(across) @ np.abs(along) / min(1.0, crossed[p])
+    return *product(steps, sizes), crossed
 
 
 def _reached(motion: "Motion") -> Matrix:

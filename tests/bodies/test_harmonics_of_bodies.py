@@ -10,7 +10,7 @@ from nonsmooth.solver.bodies import motion
 from nonsmooth.solver.bodies.force_series.layout import layout
 from nonsmooth.solver.bodies.harmonics import system
 from nonsmooth.solver.bodies.harmonics.breaks import Break, answers_to
-from nonsmooth.solver.bodies.harmonics.frame import compliance, frame_of
+from nonsmooth.solver.bodies.harmonics.frame import Frame, compliance
 from nonsmooth.solver.bodies.laws import places
 from nonsmooth.solver.bodies.poles import Poles
 from nonsmooth.solver.kernels import registry
@@ -94,7 +94,7 @@ def test_jacobian_against_differences(name: str, functions: int) -> None:
 def test_compliance_is_that_of_the_matrices(name: str) -> None:
     own, matrices = case(name), body(of(name)).arrays
     cell, times = own.cell, start(of(name), 0.0)
-    frame = frame_of(cell, 5, 0, times, cell.duration)
+    frame = Frame(cell, 5, 0, times, cell.duration)
     x = places(1)[0]
     seen = layout(cell, 1).poles.forms(np.eye(6)[x])
     found = compliance(frame, seen)[:, 0, 0] * own.units.time**2 / own.units.mass

@@ -1,6 +1,5 @@
 """What is known of a cell at given times before its unknowns are: poles, harmonics, breaks."""
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -8,26 +7,21 @@ import numpy as np
 from ....generated import force_harmonics as formula
 from ...arrays import Complex, Vector
 from ..force_series.integrals import moments
-from ..force_series.layout import Layout, for_harmonics
+from ..force_series.layout import for_harmonics
 from ..poles import Forms
-from .breaks import Answer, Break, answers_to
+from .breaks import Break, answers_to
 
 if TYPE_CHECKING:
     from ...scenes.bodies.cell import BodyCell
 
 
-@dataclass(frozen=True, eq=False)
 class Frame:
-    """What is known of a cell at given times; places in it are parts of its duration.
+    """What is known of a cell of duration T at given times; places are parts of that.
 
-    Parameters
+    Attributes
     ----------
     own : Layout
         Phases and poles.
-    functions : int
-        Beside the harmonics, at each switch.
-    T : float
-        Duration of the cell.
     ends : ndarray, shape (P + 1,)
         Where phases begin, and the last ends: from 0 to 1.
     angles : ndarray, shape (P + 1,)
@@ -40,35 +34,37 @@ class Frame:
         The functions, then the impulses.
     answers : list of Answer
         To them on each phase.
-    laws : tuple of Forms
+    laws : list of Forms
         The contact forces by the law of each phase.
+    waves, size : int
+        How many unknowns are harmonics, whom the factors of `breaks` follow, then the memory;
+        and how many there are.
+    memory : slice
+        Where the memory is among them.
     """
 
-    own: Layout
-    functions: int
-    T: float
-    ends: Vector
-    angles: Vector
-    turns: Vector
-    above: Complex
-    breaks: tuple[Break, ...]
-    answers: list[Answer]
-    laws: tuple[Forms, ...]
-
-    @property
-    def waves(self) -> int:
-        """How many unknowns are harmonics; those of `breaks` follow, then the memory."""
-        return int(len(self.turns) * self.own.poles.b.shape[1])
-
-    @property
-    def size(self) -> int:
-        """How many unknowns there are."""
-        return self.waves + len(self.breaks) + self.own.size - self.own.first_memory
-
-    @property
-    def memory(self) -> slice:
-        """Where the memory is among the unknowns."""
-        return slice(self.waves + len(self.breaks), self.size)
+    def __init__(
+        self, cell: "BodyCell", order: int, functions: int, times: Vector, T: float
+    ) -> None:
+        self.own, self.functions, self.T = for_harmonics(cell), functions, T
+        phases, poles, contacts = self.own.phases, self.own.poles, cell.body.at.shape[1]
+        count = len(phases)
+        self.ends = np.concatenate([[0.0], np.cumsum(times[: count - 1]) / T, [1.0]])
+        first = float(times[-1]) if cell.forced else 0.0
+        self.angles: Vector = first + cell.omega * T * self.ends
+        self.turns = numbers(cell.sign, order)
+        self.breaks = tuple(
+            Break(p, first_function(cell, p) + i, c)
+            for p in range(count)
+            for i in range(functions)
+            for c in range(contacts)
+        ) + tuple(Break(p + 1, 0, int(c)) for p in range(count) for c in phases[p].hit)
+        self.answers = answers_to(poles, self.breaks, T, self.ends, cell.sign)
+        self.laws = [phase.force for phase in phases]
+        self.above: Complex = formula.answer(self.turns[:, None] / T, poles.s)
+        self.waves = len(self.turns) * contacts
+        self.size = self.waves + len(self.breaks) + len(cell.memory)
+        self.memory = slice(self.size - len(cell.memory), self.size)
 
 
 def numbers(sign: int, order: int) -> Vector:
@@ -88,25 +84,6 @@ def numbers(sign: int, order: int) -> Vector:
 def first_function(cell: "BodyCell", p: int) -> int:
     """Return the n of the first function at a switch: the force is of class C^(n - 2) there."""
     return max(cell.classes[p], 1)
-
-
-def frame_of(cell: "BodyCell", order: int, functions: int, times: Vector, T: float) -> Frame:
-    """Return what is known of a cell of duration T at given times."""
-    own, count = for_harmonics(cell), len(cell.phases)
-    poles, contacts = own.poles, range(own.poles.b.shape[1])
-    ends = np.concatenate([[0.0], np.cumsum(times[: count - 1]) / T, [1.0]])
-    angles = (float(times[-1]) if cell.forced else 0.0) + cell.omega * T * ends
-    turns = numbers(cell.sign, order)
-    breaks = tuple(
-        Break(p, first_function(cell, p) + i, c)
-        for p in range(count)
-        for i in range(functions)
-        for c in contacts
-    ) + tuple(Break(p + 1, 0, int(c)) for p in range(count) for c in own.phases[p].hit)
-    answers = answers_to(poles, breaks, T, ends, cell.sign)
-    laws = tuple(phase.force for phase in own.phases)
-    above = formula.answer(turns[:, None] / T, poles.s)
-    return Frame(own, functions, T, ends, angles, turns, above, breaks, answers, laws)
 
 
 def compliance(frame: Frame, forms: Forms) -> Complex:

@@ -2,16 +2,15 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ....generated import force_harmonics as formula
 from ...arrays import Complex, Indices, Matrix, Vector
-from ..part import parts_of, shifts
+from ..part import kept_by_times, parts_of, shifts
 from ..poles import Forms
-from .frame import Frame, compliance, first_function, frame_of, integrals, of_real, values
+from .frame import Frame, compliance, first_function, integrals, of_real, values
 from .moving import Moving
 
 if TYPE_CHECKING:
@@ -170,12 +169,25 @@ def _mean_fixes(cell: "BodyCell") -> bool:
     return bool(cell.sign > 0 and np.abs(seen).max() > UNSEEN * np.abs(answer).max())
 
 
-def _evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Evaluation:
+@kept_by_times(8)
+def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Evaluation:
+    """Return residual, Jacobian and unknowns of the harmonics at given times.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    order : int
+        The highest harmonic.
+    functions : int
+        Beside the harmonics, at each switch.
+    times : ndarray
+        Durations and, if something forces, the phase of the forcing.
+    """
     if not _mean_fixes(cell):
         raise np.linalg.LinAlgError
     count = len(cell.phases)
     T = cell.duration if cell.forced else float(times[:count].sum())
-    frame = frame_of(cell, order, functions, times, T)
+    frame = Frame(cell, order, functions, times, T)
     A, right, events, constant = _system(cell, frame)
     unknowns: Complex = np.asarray(np.linalg.solve(A, right), dtype=complex)
     residual: Vector = (events @ unknowns).real + constant
@@ -186,7 +198,7 @@ def _evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> E
         by_times[-1, -1] = 1.0
     moved, shifted = moved @ by_times, shifted @ by_times
     if not cell.forced:  # by T as well, the switches where they are
-        frames = (frame_of(cell, order, functions, times, T * (1 + q)) for q in (STEP, -STEP))
+        frames = (Frame(cell, order, functions, times, T * (1 + q)) for q in (STEP, -STEP))
         ahead, behind = (_system(cell, q) for q in frames)
         A_rate, rate, event_rate, constant_rate = (
             (a - b) / (2 * STEP * T) for a, b in zip(ahead, behind, strict=True)
@@ -215,28 +227,6 @@ def _moved(
     mean, fixing = _fixing(frame)
     moved[mean] += fixing @ shifted
     return moved, shifted
-
-
-@lru_cache(maxsize=8)
-def _kept(cell: "BodyCell", order: int, functions: int, times: bytes) -> Evaluation:
-    return _evaluated(cell, order, functions, np.frombuffer(times))
-
-
-def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Evaluation:
-    """Return residual, Jacobian and unknowns of the harmonics at given times.
-
-    Parameters
-    ----------
-    cell : BodyCell
-    order : int
-        The highest harmonic.
-    functions : int
-        Beside the harmonics, at each switch.
-    times : ndarray
-        Durations and, if something forces, the phase of the forcing.
-    """
-    times = np.ascontiguousarray(times, dtype=float)
-    return _kept(cell, order, functions, times.tobytes())
 
 
 def along(found: Evaluation, p: int, u: Vector) -> Complex:
