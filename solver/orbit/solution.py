@@ -106,8 +106,8 @@ class Solution(Shown):
         is not an orbit, neither is this.  Functions that begin at switches resolve the end of a
         phase to about one part in 2 N where its event is not imposed.
         """
-        if self.case.scene.has_body:
-            return self._far or self.own_violations or self._disproof
+        if self.case.scene.has_body and self._neighbour is None:
+            return ("no exact solution is next to it: the order does not resolve the contact",)
         return self.own_violations or self._disproof
 
     @cached_property
@@ -117,13 +117,6 @@ class Solution(Shown):
             return admissible.violations(self, by_neighbour(self, self._exact_solution))
         unmet = 1 / (2 * self.order) if self._kernel.starts else 0.0
         return admissible.violations(self, by_residual(self), unmet)
-
-    @cached_property
-    def _far(self) -> tuple[str, ...]:
-        """What keeps a solution of a body from being judged: no exact one is next to it."""
-        if self._neighbour is not None:
-            return ()
-        return ("no exact solution is next to it: the order does not resolve the contact",)
 
     @cached_property
     def _disproof(self) -> tuple[str, ...]:

@@ -57,7 +57,7 @@ class Roots:
 def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
     """Return the lowest eigenvalues of a structure with its attachment, by bare modes."""
     felt, unit = bare.felt != 0, ROUNDINGS * EPS
-    kept, terms = np.flatnonzero(~felt)[:count], _terms(bare, attached, felt)
+    kept, terms = np.flatnonzero(~felt)[:count], _Terms(bare, attached, felt)
     origin, shift = _coupled(terms, count)
     rounding = unit * (origin + shift)
     if origin.size:
@@ -85,26 +85,17 @@ def _order(attached: Attached, every: Roots, kept: Integers, count: int) -> Inte
     return np.argsort(every.values, kind="stable")[:count]
 
 
-@dataclass(frozen=True)
 class _Terms:
     """An equation of those above: the poles ``Lambda_i``, and the numerators over them."""
 
-    poles: Vector
-    weights: Vector
-    h: float
-    kind: str
-    s: float
-    raises: bool
-    margin: float
-
-
-def _terms(bare: BareModes, attached: Attached, felt: Vector) -> _Terms:
-    kind, s = attached.structure.kind, attached.s
-    poles, weights = bare.eigenvalues[felt], bare.felt[felt] ** 2
-    if kind == "compliance":
-        weights = weights * poles
-    margin = attached.margin - s * bare.static_rest if kind == "stiffness" else 1.0
-    return _Terms(poles, weights, bare.hinge_rest, kind, s, attached.raises, margin)
+    def __init__(self, bare: BareModes, attached: Attached, felt: Vector) -> None:
+        self.kind, self.s, self.raises = attached.structure.kind, attached.s, attached.raises
+        self.poles, self.weights = bare.eigenvalues[felt], bare.felt[felt] ** 2
+        if self.kind == "compliance":
+            self.weights = self.weights * self.poles
+        self.h, self.margin = bare.hinge_rest, 1.0
+        if self.kind == "stiffness":
+            self.margin = attached.margin - self.s * bare.static_rest
 
 
 def _sensitivity(

@@ -1,7 +1,5 @@
 """The three expansions by name, and what can be had of each."""
 
-from collections.abc import Sequence
-
 from ...scenes.parameter_error import whole
 from ..attached import Attached
 from ..structure import Structure
@@ -58,20 +56,11 @@ def check_order(method: str, order: object) -> int:
     return whole("order", order, 1, HIGHEST[method], f" for {method}")
 
 
-def bare_modes(
-    attached: Attached, method: str, order: int, forced: int | Sequence[int] = 0
-) -> BareModes:
-    """Return the bare modes of a method at an order.
-
-    Parameters
-    ----------
-    forced : int or sequence of int
-        How many forced modes, the first ones, or which.
-    """
+def bare_modes(attached: Attached, method: str, order: int, forced: int) -> BareModes:
+    """Return the bare modes of a method at an order, with so many forced modes."""
     if method == "ck":
         return piecewise(attached, order)
-    chosen = tuple(range(1, forced + 1)) if isinstance(forced, int) else tuple(forced)
-    return ritz_forced(attached, order, chosen)
+    return ritz_forced(attached, order, tuple(range(1, forced + 1)))
 
 
 def check_count(there_are: int, count: int | None, usual: int, method: str, order: int) -> int:
