@@ -75,15 +75,12 @@ class Flow:
         The first two columns are by the cosine and the sine of the angle that the forcing has
         at the beginning: their sum with these as factors is the answer to the forcing.
         """
-        return np.asarray((self.basis @ self._driven(t)).real)
-
-    def _driven(self, t: float | Vector) -> Complex:
         t, (cos, sin) = np.asarray(t), self.inputs[:, :2].T
         up, down = (cos - 1j * sin) / 2, (cos + 1j * sin) / 2
         found = self.answered(self.inputs, 0.0, t)
         found[..., :2] = self.answered(np.column_stack([up, 1j * up]), self.omega, t)
         found[..., :2] += self.answered(np.column_stack([down, -1j * down]), -self.omega, t)
-        return found
+        return np.asarray((self.basis @ found).real)
 
     @np.errstate(over="ignore", invalid="ignore")
     def answered(self, drive: Complex, omega: float, t: Vector) -> Complex:

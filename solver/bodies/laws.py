@@ -150,7 +150,7 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
     """
     memory, phase = len(cell.memory), cell.carrying(p)
     own = free(cell.body, cell.omega, memory)
-    laws = law_matrix(cell, phase)
+    laws = law_matrix(phase)
     size = len(own.rows)
     known = laws[:, :size] @ own.rows
     known[:, known.shape[1] - memory :] += laws[:, size:]
@@ -208,11 +208,11 @@ def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vect
     mirrored = np.where(np.arange(len(seen)) == 3, seen, sign * seen)
     forces = places(cell.body.at.shape[1])[2]
     rest = mirrored - own.by_force @ mirrored[forces]
-    laws = law_matrix(cell, phase)
+    laws = law_matrix(phase)
     return np.asarray(rest - own.by_force @ np.linalg.solve(laws @ own.by_force, laws @ rest))
 
 
-def law_matrix(cell: "BodyCell", phase: "BodyPhase") -> Matrix:
+def law_matrix(phase: "BodyPhase") -> Matrix:
     """Return the laws of a phase by row; of a held contact, that it returns to its speed."""
     found = np.array(phase.laws)
     if phase.held:

@@ -126,7 +126,7 @@ def _answers(
     s, first = float(times[p]) / phase.pieces, own.first_of(p)
     pieces = []
     for e in range(first, first + phase.pieces):
-        at, count = own.elements[e][1], (phase.degree + 1) * poles.b.shape[1]
+        at, count = own.pieces[e, 1], (phase.degree + 1) * poles.b.shape[1]
         l = unknowns[at : at + count].reshape(phase.degree + 1, -1)
         E, B = answers(poles.s * s, l @ poles.b.T)
         pieces.append((states[e] + s * E, s * B.T))

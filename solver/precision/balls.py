@@ -7,8 +7,7 @@ Bessel functions are replaced: their recurrences end where float64 does.
 
 import ast
 import inspect
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from functools import cache
 from math import prod
 from types import FunctionType
@@ -22,17 +21,6 @@ WHOLE = (int, np.integer)
 
 #: Fills R with the residual at z: ``residual(case, z, R)``, over balls.
 Residual = Callable[[Any, Any, Any], None]
-
-
-@contextmanager
-def precision(digits: int) -> Iterator[None]:
-    """Work with this many decimal digits, and restore the setting of python-flint."""
-    before = ctx.dps
-    ctx.dps = digits
-    try:
-        yield
-    finally:
-        ctx.dps = before
 
 
 def residual_in_balls(residual: Callable[..., None]) -> Residual:

@@ -17,12 +17,13 @@ from ..orbit.solution import attempt
 from ..scaling import equilibrated
 from ..scenes.case import Case
 from ..scenes.cell import Cell
-from ..scenes.methods import EXACT, in_order
+from ..scenes.methods import EXACT, about, in_order
 from ..scenes.parameter_error import ParameterError
 from ..solve import number_of_functions
-from . import bodies as of_bodies
 from . import exact_balls
 from .balls import Residual
+from .bodies import exact as exact_bodies
+from .bodies import force_series, harmonics
 from .refine import PrecisionError, refine
 
 #: Digits of the solution in balls: enough to judge float64.
@@ -214,7 +215,7 @@ def _against_balls(kept: Kept, case: Case, kernel: Kernel, arguments: Any, z: Ve
     kernel.jacobian(arguments, z, J)
     kept = replace(kept, condition=float(np.linalg.cond(equilibrated(J))))
     try:
-        precise = refine(kernel, arguments, z, DIGITS, _in_balls(case, kept.method))
+        precise = refine(kernel, arguments, z, DIGITS, in_balls(case, kept.method))
     except PrecisionError:
         return kept
     off = [float(abs(a - float(b))) for a, b in zip(precise, kernel.times(z), strict=True)]
@@ -229,11 +230,16 @@ def _unknowns(case: Case, kernel: Kernel, z: Vector) -> Vector:
     return kernel.times(z) if case.scene.has_body else z
 
 
-def _in_balls(case: Case, method: str) -> Residual | None:
-    """Return the equations of a method in balls; None for its own text in them."""
-    if case.scene.has_body:
-        return of_bodies.residual(method)
-    return exact_balls.residual if method == EXACT else None
+def in_balls(case: Case, method: str) -> Residual | None:
+    """Return the equations of a method in balls; None for its own text in them.
+
+    Those of a body are of the times alone.
+    """
+    if not case.scene.has_body:
+        return exact_balls.residual if method == EXACT else None
+    if method == EXACT:
+        return exact_bodies.residual
+    return harmonics.residual if about(method).is_series else force_series.residual
 
 
 def condition(orbit: ExactOrbit) -> float:

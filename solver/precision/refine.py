@@ -11,7 +11,7 @@ from flint import arb, ctx
 
 from ..arrays import Matrix, Vector
 from ..kernels.kernel import Kernel
-from .balls import Residual, as_balls, precision, residual_in_balls
+from .balls import Residual, as_balls, residual_in_balls
 
 #: Digits carried at first beyond those asked for; most that are tried; most steps.
 GUARD, MOST_DIGITS, STEPS = 25, 2000, 60
@@ -52,7 +52,7 @@ def refine(
     inverse = _inverse(J)
     working = digits + GUARD
     while working <= MOST_DIGITS:
-        with precision(working):
+        with ctx.workdps(working):
             own, given = residual, arguments
             if own is None:
                 own, given = residual_in_balls(kernel.residual), as_balls(arguments)

@@ -6,14 +6,14 @@ import numpy as np
 import one_mass
 import pytest
 import sympy as sp
-from flint import arb
+from flint import arb, ctx
 from galerkin.solving import differences, jacobian, residual
 from numpy.polynomial import legendre
 
 from nonsmooth.codegen.emission.whole_period import LAST
 from nonsmooth.codegen.galerkin.harmonics import beta
 from nonsmooth.solver.kernels import registry, series
-from nonsmooth.solver.precision.balls import as_balls, precision, residual_in_balls
+from nonsmooth.solver.precision.balls import as_balls, residual_in_balls
 from nonsmooth.solver.scenes.arrays import Arrays, arrays_of
 
 NAME = "nonsmooth.generated.hb"
@@ -82,7 +82,7 @@ def test_residuals_keep_their_digits(motion, functions):
     """Also those of high derivatives, in which the series itself has no part."""
     arrays = arrays_for(MOTIONS[motion], functions)
     z = unknowns(hb, arrays, 10)
-    with precision(40):
+    with ctx.workdps(40):
         exact = np.full(len(z), arb(0), dtype=object)
         balls = np.array([arb(value) for value in z], dtype=object)
         residual_in_balls(hb.residual)(as_balls(arrays), balls, exact)

@@ -20,7 +20,6 @@ from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.precision import exact_balls
 from nonsmooth.solver.precision import refine as refining
 from nonsmooth.solver.precision.balls import (
-    precision,
     quotient,
     residual_in_balls,
     spherical_bessel,
@@ -105,7 +104,7 @@ def test_solutions_have_the_digits_of_another_program(name, row) -> None:
         residual_in_balls(kernel.residual)(exact, z, R)
 
     found = refine(kernel, given, z, 22, in_decimals)
-    with precision(40):
+    with ctx.workdps(40):
         for time, expected in zip(found, row["times"], strict=True):
             assert abs(time - arb(expected)) < arb("1e-20") * max(1, abs(float(expected)))
 
@@ -129,7 +128,7 @@ def test_the_exact_equations_agree_with_an_expansion_that_has_converged(scene, o
 
 
 def test_fractions_of_whole_numbers_are_exact() -> None:
-    with precision(50):
+    with ctx.workdps(50):
         assert float((quotient(1, 3) * 3 - 1).rad()) < 1e-49
         assert quotient(1.0, 2) == arb("0.5")
         assert float(quotient(arb(1), 3).rad()) < 1e-49
@@ -137,7 +136,7 @@ def test_fractions_of_whole_numbers_are_exact() -> None:
 
 @pytest.mark.parametrize("x", ["0", "1e-9", "0.3", "7.5", "40"])
 def test_the_spherical_bessel_functions_against_mpmath(x) -> None:
-    with precision(40), mp.workdps(40):
+    with ctx.workdps(40), mp.workdps(40):
         found = np.full(9, None)
         spherical_bessel(arb(x), found)
         for n, value in enumerate(found):
@@ -165,7 +164,7 @@ def test_a_wider_start_asks_for_more_digits_of_the_balls() -> None:
     orbit = attempt(kernel, case, 4, exact_orbit(case).times)
     given = kernel.given(case, 4)
     few, many = (refine(kernel, given, orbit.unknowns, d) for d in (20, 200))
-    with precision(230):
+    with ctx.workdps(230):
         assert abs(few[-1] - many[-1]) < arb("1e-19")
         assert float(many[-1].rad()) < 1e-199
 
@@ -178,7 +177,7 @@ def test_balls_that_are_too_wide_for_the_digits_asked_for_are_not_taken() -> Non
     J = np.empty((len(z), len(z)))
     given = kernel.given(case, 6)
     kernel.jacobian(given, z, J)
-    with precision(10):
+    with ctx.workdps(10):
         own = residual_in_balls(kernel.residual)
         found = refining._refined(kernel, own, given, z, np.linalg.inv(J), 22)
     assert found is None

@@ -13,8 +13,7 @@ import flint
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.bodies import exact_kernel
-from nonsmooth.solver.precision import bodies, digits
-from nonsmooth.solver.precision.balls import precision
+from nonsmooth.solver.precision import digits
 from nonsmooth.solver.precision.bodies.frame import function, legendre
 from nonsmooth.solver.precision.bodies.pieces import answers, moments
 from nonsmooth.solver.precision.refine import refine
@@ -85,7 +84,7 @@ def test_solutions_in_balls_are_those_of_the_kernels(r: Reference, method: str) 
     if status or np.min(durations) < 1e-6 * np.sum(durations):
         pytest.skip("of this order Newton's method finds none, or one without a phase")
     given = own.cell if method == "exact" else kernel.given(own, order)
-    found = refine(kernel, given, kernel.times(z), 22, bodies.residual(method))
+    found = refine(kernel, given, kernel.times(z), 22, digits.in_balls(own, method))
     scale = 1e-12 * float(np.sum(times[: len(r.durations)]))
     assert [float(q) for q in found] == pytest.approx(list(kernel.times(z)), rel=0, abs=scale)
     if method == "exact" and not r.name.startswith("beam"):  # of stiff matrices, in doubles
@@ -96,7 +95,7 @@ def test_solutions_in_balls_are_those_of_the_kernels(r: Reference, method: str) 
 @pytest.mark.parametrize("kappa", [0.0, 1e-9, 0.5 - 2j, -3 + 11.9j, -3 + 12.1j, -40 + 300j])
 def test_moments_and_answers_are_those_of_their_equations(kappa: complex) -> None:
     """The moments by quadrature; of an answer p, ``p' - kappa p = P_n`` at three places."""
-    with precision(80):
+    with flint.ctx.workdps(80):
         found = moments(flint.acb(kappa), 5)
         for n, each in enumerate(found):
             by_panels = flint.acb.integral(
@@ -122,7 +121,7 @@ def test_functions_jump_in_one_derivative_and_repeat(sign: int) -> None:
             own = p.deriv(order) if order else p
             jump = own(0.0) - sign * own(1.0)
             assert jump == pytest.approx(1.0 if order == n - 1 else 0.0, abs=1e-15)
-        with precision(30):
+        with flint.ctx.workdps(30):
             series = legendre(function(n, sign), flint.arb("0.25"), flint.arb("0.5"))
         found = np.polynomial.Legendre([float(series[j]) for j in range(len(series))])
         assert found(0.4) == pytest.approx(p(0.25 + 0.5 * 0.7))

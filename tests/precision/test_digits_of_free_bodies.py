@@ -12,15 +12,14 @@ from bodies.test_large_and_free_bodies import FIRST, TWO, case
 
 pytest.importorskip("flint")
 
-from flint import arb
+from flint import arb, ctx
 from precision.test_digits_of_bodies import METHODS, assert_kept
 
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.bodies import exact_kernel
 from nonsmooth.solver.orbit.solution import attempt
-from nonsmooth.solver.precision import bodies
-from nonsmooth.solver.precision.balls import precision
+from nonsmooth.solver.precision.digits import in_balls as equations_in_balls
 from nonsmooth.solver.precision.refine import refine
 
 
@@ -77,7 +76,7 @@ def in_balls(given, method: str, order: int = 0, functions: int | None = None):
         kernel = registry.kernel(given.scene, method, functions)
         own = kernel.given(exact.case, order)
         times = kernel.times(attempt(kernel, exact.case, order, times, functions).unknowns)
-    found = refine(kernel, own, times, 22, bodies.residual(method))
+    found = refine(kernel, own, times, 22, equations_in_balls(given, method))
     assert all(float(q.rad()) < 1e-21 for q in found)
     assert [float(q) for q in found] == pytest.approx(list(times), rel=0, abs=1e-12)
     return found
@@ -90,7 +89,7 @@ def test_a_particle_between_walls_has_its_closed_form(half: bool) -> None:
     *durations, angle = in_balls(given, "exact")
     cell = given.cell
     (rebound, _), event = cell.phases[0].jumps[0], cell.phases[0].event
-    with precision(50):
+    with ctx.workdps(50):
         moved = arb(float(cell.body.at[0, 0])) * float(cell.body.forcing[0])
         a = 2 * moved / arb(cell.omega) ** 2
         b = arb.pi() / 2 * a * (1 - arb(rebound)) / (1 + arb(rebound))
@@ -107,7 +106,7 @@ def test_a_particle_between_walls_has_its_closed_form(half: bool) -> None:
 def test_half_a_period_says_where_a_ball_is_as_a_whole_one_does(method: str) -> None:
     half, whole = (in_balls(ball(q), method, *METHODS[method]) for q in (True, False))
     assert len(whole) == 3
-    with precision(50):
+    with ctx.workdps(50):
         expected = [half[0], half[0], half[1]]
         apart = [float(abs(a - b)) for a, b in zip(whole, expected, strict=True)]
     assert max(apart) < 1e-20
@@ -117,7 +116,7 @@ def test_half_a_period_says_where_a_ball_is_as_a_whole_one_does(method: str) -> 
 def test_the_force_series_of_a_held_body_converges_to_the_exact_equations(name: str) -> None:
     """Far beyond the digits of float64, by poles with springs and by exponentials without."""
     expected, found = in_balls(CASES[name](), "exact"), in_balls(CASES[name](), "ck-tau", 32)
-    with precision(50):
+    with ctx.workdps(50):
         apart = [float(abs(a - b)) for a, b in zip(found, expected, strict=True)]
     assert max(apart) < 1e-20
 

@@ -1,15 +1,14 @@
 """The equations of the force series for a cell: its phases, and where the unknowns are."""
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ...arrays import Complex, Indices, Integers, Matrix, Vector
+from ...arrays import Complex, Integers, Matrix, Vector
 from ..laws import added, law_matrix, lawful, places
 from ..part import shifts
-from ..poles import Forms, Poles, poles_of
+from ..poles import Poles, poles_of
 from ..switch import impulses, switch
 from ..systems import BodyError
 
@@ -24,11 +23,10 @@ MOST = 32
 RESONANT, OF_HARMONICS = 1e-7, 1e-2
 
 
-@dataclass(frozen=True, eq=False)
 class Phase:
-    """What the equations know of a phase.
+    """What the equations of an order know of phase `p` of a cell.
 
-    Parameters
+    Attributes
     ----------
     law, event, force, seen : Forms
         The laws; by these the event at its end, the contact forces, and what forms are of.
@@ -45,60 +43,67 @@ class Phase:
     pieces : int
     """
 
-    law: Forms
-    event: Forms
-    force: Forms
-    seen: Forms
-    direct: Matrix
-    hit: Indices
-    impulse: Matrix
-    fixing: Vector
-    degree: int
-    pieces: int
+    def __init__(self, cell: "BodyCell", poles: Poles, p: int, order: int) -> None:
+        own, memory, phase = added(cell.body), len(cell.memory), cell.phases[p]
+        width, contacts = own.shape
+        rows = law_matrix(phase)
+        by_force = np.vstack([own, np.zeros((memory, contacts))])
+        self.direct = rows @ by_force
+        closure: Matrix = np.asarray(np.linalg.solve(self.direct, rows), dtype=float)
+        by_law = np.eye(width + memory) - by_force @ closure
+        self.law, self.force = poles.forms(rows), poles.forms(-closure)
+        self.event = poles.forms(np.array([phase.event]) @ by_law)
+        self.seen = poles.forms(by_law[:width])
+        by_velocity, constant = impulses(cell, p)
+        self.hit = np.flatnonzero(np.abs(by_velocity).sum(axis=1) + np.abs(constant))
+        self.impulse = np.column_stack([by_velocity, constant])
+        self.fixing: Vector = _fixing(cell, poles, p) * np.diag(self.direct)
+        given = not (self.law.poles.any() or self.law.turn.any())
+        self.degree, self.pieces = (0, 1) if given else _pieces(order)
 
 
-@dataclass(frozen=True, eq=False)
 class Layout:
     """A cell in the force series of an order: phases, poles, and where unknowns are.
 
-    Parameters
+    Attributes
     ----------
     phases : tuple of Phase
     poles : Poles
     velocity, setting : Forms
         Of each contact; what each memory is set to.
-    elements : tuple of (int, int)
-        Of each piece its phase, and where its coefficients begin.
+    pieces, hits : ndarray of int
+        See `Setting`.
     first_impulse, first_memory, size : int
         Where these begin among the unknowns, and how many unknowns there are.
     """
 
-    phases: tuple[Phase, ...]
-    poles: Poles
-    velocity: Forms
-    setting: Forms
-    elements: tuple[tuple[int, int], ...]
-    first_impulse: int
-    first_memory: int
-    size: int
+    def __init__(self, cell: "BodyCell", poles: Poles, order: int) -> None:
+        self.poles, contacts = poles, cell.body.at.shape[1]
+        self.phases = tuple(Phase(cell, poles, p, order) for p in range(len(cell.phases)))
+        pieces, at = [], 0
+        for p, phase in enumerate(self.phases):
+            for piece in range(1, 1 + phase.pieces):
+                pieces.append((p, at, piece == phase.pieces))
+                at += (phase.degree + 1) * contacts
+        self.pieces: Integers = np.array(pieces)
+        self.hits, self.first_impulse = np.full((len(self.phases), contacts), -1), at
+        for own, phase in zip(self.hits, self.phases, strict=True):
+            own[phase.hit] = range(at, at + len(phase.hit))
+            at += len(phase.hit)
+        width, count = 2 + 4 * contacts, len(cell.memory)
+        self.first_memory, self.size = at, at + count
+        rows = np.array([each.value[:width] for each in cell.memory]).reshape(count, width)
+        self.setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
+        self.velocity = poles.forms(np.eye(width, width + count)[places(contacts)[1]])
 
     @property
     def memory(self) -> slice:
         """Where the memory is among the unknowns."""
         return slice(self.first_memory, self.size)
 
-    def is_last(self, e: int) -> bool:
-        """Whether a piece is the last of its phase."""
-        return e + 1 == len(self.elements) or self.elements[e + 1][0] != self.elements[e][0]
-
     def first_of(self, p: int) -> int:
         """Return the first piece of a phase."""
-        return next(e for e, (q, _) in enumerate(self.elements) if q == p)
-
-    def impulses(self, p: int) -> slice:
-        """Return where the impulses at the end of a phase are among the unknowns."""
-        first = self.first_impulse + sum(len(phase.hit) for phase in self.phases[:p])
-        return slice(first, first + len(self.phases[p].hit))
+        return int(np.searchsorted(self.pieces[:, 0], p))
 
 
 @lru_cache(maxsize=64)
@@ -126,19 +131,7 @@ def layout(cell: "BodyCell", order: int, least: float = RESONANT) -> Layout:
                 "frequency: an undamped mode of the body repeats itself with the forcing, and "
                 "no contact sees it: damp it a little, or leave it out"
             )
-    phases = tuple(_phase(cell, poles, p, order) for p in range(len(cell.phases)))
-    contacts, elements, at = cell.body.at.shape[1], [], 0
-    for p, phase in enumerate(phases):
-        for _ in range(phase.pieces):
-            elements.append((p, at))
-            at += (phase.degree + 1) * contacts
-    memory = at + sum(len(phase.hit) for phase in phases)
-    width, count = 2 + 4 * contacts, len(cell.memory)
-    values = [each.value[:width] for each in cell.memory]
-    rows = np.array(values).reshape(count, width)
-    setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
-    velocity = poles.forms(np.eye(width, width + count)[places(contacts)[1]])
-    return Layout(phases, poles, velocity, setting, tuple(elements), at, memory, memory + count)
+    return Layout(cell, poles, order)
 
 
 def for_harmonics(cell: "BodyCell") -> Layout:
@@ -213,10 +206,7 @@ def setting(cell: "BodyCell", order: int) -> Setting:
     ]
     constants = np.concatenate([q.constant for q in rows])
     memories = np.concatenate([q.memory for q in rows])
-    hits = np.full((len(own.phases), own.poles.b.shape[1]), -1)
     width = len(own.phases) + cell.forced
-    for p, phase in enumerate(own.phases):
-        hits[p, phase.hit] = range(own.size)[own.impulses(p)]
     return Setting(
         own.poles.s,
         np.ascontiguousarray(own.poles.b.T),
@@ -226,8 +216,8 @@ def setting(cell: "BodyCell", order: int) -> Setting:
         np.array([phase.direct for phase in own.phases], dtype=float),
         np.array([phase.impulse for phase in own.phases], dtype=float),
         np.array([phase.fixing for phase in own.phases], dtype=float),
-        hits,
-        np.array([(p, at, own.is_last(e)) for e, (p, at) in enumerate(own.elements)]),
+        own.hits,
+        own.pieces,
         np.array([phase.degree for phase in own.phases]),
         np.array([phase.pieces for phase in own.phases]),
         np.array([own.first_of(each.phase) for each in cell.memory], dtype=int),
@@ -235,27 +225,6 @@ def setting(cell: "BodyCell", order: int) -> Setting:
         np.array([cell.omega, cell.sign, cell.duration if cell.forced else 0.0]),
         np.full((1 + width, width), np.nan),
     )
-
-
-def _phase(cell: "BodyCell", poles: Poles, p: int, order: int) -> Phase:
-    own, memory = added(cell.body), len(cell.memory)
-    width, contacts = own.shape
-    rows = law_matrix(cell, cell.phases[p])
-    by_force = np.vstack([own, np.zeros((memory, contacts))])
-    direct = rows @ by_force
-    closure: Matrix = np.asarray(np.linalg.solve(direct, rows), dtype=float)
-    law = poles.forms(rows)
-    event = np.array([cell.phases[p].event])
-    by_law = np.eye(width + memory) - by_force @ closure
-    by_velocity, constant = impulses(cell, p)
-    hit = np.flatnonzero(np.abs(by_velocity).sum(axis=1) + np.abs(constant))
-    given = not (law.poles.any() or law.turn.any())
-    degree, pieces = (0, 1) if given else _pieces(order)
-    return Phase(
-        law, poles.forms(event @ by_law), poles.forms(-closure), poles.forms(by_law[:width]),
-        direct, hit, np.column_stack([by_velocity, constant]),
-        _fixing(cell, poles, p) * np.diag(direct), degree, pieces,
-    )  # fmt: skip
 
 
 def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:

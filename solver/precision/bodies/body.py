@@ -1,7 +1,6 @@
 """A body in balls: its poles, what its contacts see of them, and the laws as forms of these."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -12,7 +11,6 @@ from ...bodies.laws import places
 from ..refine import PrecisionError
 
 if TYPE_CHECKING:
-    from ...bodies.modal import Modal
     from ...bodies.poles import Held
     from ...scenes.bodies.cell import BodyCell, BodyPhase
 
@@ -73,32 +71,26 @@ def solved(A: Balls, right: Balls) -> Balls:
     return np.array(found.tolist(), dtype=object).reshape(right.shape)
 
 
-@dataclass(frozen=True, eq=False)
 class Body:
-    """The poles of a body, of each pair the one above the real axis.
+    """The poles of the body of a cell, of each pair the one above the real axis.
 
     Parameters
     ----------
-    modal : Modal
-    omega : arb
-        Angular frequency of the forcing.
+    cell : BodyCell
     held : Held, optional
         Springs and dampers that hold it at its contacts: then its poles are of both, and a
         contact force has what they take from it added.
     """
 
-    modal: "Modal"
-    omega: Any
-    held: "Held | None" = None
+    def __init__(self, cell: "BodyCell", held: "Held | None" = None) -> None:
+        self.modal, self.held = cell.body, held
+        self.omega: Any = arb(cell.omega)
+        self.turns = 2 * arb.pi() * cell.cycles / cell.cells  # of the forcing in the cell
 
-    @classmethod
-    def of(cls, cell: "BodyCell", held: "Held | None" = None) -> "Body":
-        """Return the body of a cell, as something may hold it."""
-        return cls(cell.body, arb(cell.omega), held)
-
-    def duration(self, cell: "BodyCell") -> Any:
-        """Return that of a cell by its forcing."""
-        return 2 * arb.pi() * cell.cycles / self.omega / cell.cells
+    @property
+    def duration(self) -> Any:
+        """That of the cell, by its forcing."""
+        return self.turns / self.omega
 
     @cached_property
     def poles(self) -> tuple[Balls, Balls, Balls]:

@@ -29,7 +29,7 @@ class Free(NamedTuple):
 
 def residual(cell: "BodyCell", times: Any, R: Any) -> None:
     """Fill R with the events and the length of the cell; see ``solver.bodies.exact``."""
-    count, body = len(cell.phases), Body.of(cell)
+    count, body = len(cell.phases), Body(cell)
     free, clock = _free(cell, body), 2 * len(cell.body.squares)
     angle = times[count] if cell.forced else arb(0)
     flows, events, switches = [], [], []
@@ -55,7 +55,7 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
         R[p] = events[p] @ Y
         Y = switches[p] @ Y
     if cell.forced:
-        R[count] = sum(times[:count], arb(0)) - body.duration(cell)
+        R[count] = sum(times[:count], arb(0)) - body.duration
 
 
 def _free(cell: "BodyCell", body: Body) -> Free:

@@ -21,14 +21,14 @@ def residual(given: Given, times: Any, R: Any) -> None:
     """
     cell, own = given.cell, layout(given.cell, given.order)
     count, contacts = len(cell.phases), cell.body.at.shape[1]
-    body = Body.of(cell, own.poles.held)
-    lengths = [times[p] / own.phases[p].pieces for p, _ in own.elements]
+    body = Body(cell, own.poles.held)
+    elements = own.pieces.tolist()
+    lengths = [times[p] / own.phases[p].pieces for p, *_ in elements]
     forces, hits = [], []
-    for e, (p, at) in enumerate(own.elements):
+    for p, at, last in elements:
         places_ = range((own.phases[p].degree + 1) * contacts)
         forces.append({at + i: (i % contacts, {i // contacts: arb(1)}) for i in places_})
-        columns = range(own.size)[own.impulses(p)] if own.is_last(e) else ()
-        hits.append(list(zip(columns, map(int, own.phases[p].hit), strict=False)))
+        hits.append([(q, k) for k, q in enumerate(own.hits[p].tolist()) if last and q >= 0])
     pieces = around(body.poles, lengths, forces, hits, own.size, cell.sign)
     angles = [times[count] if cell.forced else arb(0)]
     for t in lengths:
@@ -45,7 +45,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
     A, right = balls(np.zeros((own.size, own.size))), balls(np.zeros(own.size))
     forms = [body.forms(laws(phase)) for phase in cell.phases]
     ends = [values(body.event(phase), p, 1) for p, phase in enumerate(cell.phases)]
-    for e, (p, at) in enumerate(own.elements):
+    for e, (p, at, _) in enumerate(elements):
         rows = slice(at, at + (own.phases[p].degree + 1) * contacts)
         drive = (acb(0, 1) * angles[e]).exp() * moments(
             acb(0, 1) * body.omega * lengths[e], own.phases[p].degree + 1
@@ -64,7 +64,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
     for p, ((row,), (known,)) in enumerate(ends):
         R[p] = row @ unknowns + known
     if cell.forced:
-        R[count] = sum(times[:count], arb(0)) - body.duration(cell)
+        R[count] = sum(times[:count], arb(0)) - body.duration
 
 
 def _tested(law: Forms, piece: Piece, drive: Balls, own: Any, at: int) -> tuple[Balls, Balls]:

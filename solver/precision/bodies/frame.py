@@ -66,9 +66,9 @@ class Frame:
     def __init__(self, given: Given, times: Balls) -> None:
         cell = given.cell
         self.given, self.cell, self.count = given, cell, len(cell.phases)
-        self.body = Body.of(cell, for_harmonics(cell).poles.held)
+        self.body = Body(cell, for_harmonics(cell).poles.held)
         durations = times[: self.count]
-        self.T = self.body.duration(cell) if cell.forced else sum(durations, arb(0))
+        self.T = self.body.duration if cell.forced else sum(durations, arb(0))
         # where phases begin, and the last ends, as parts of the cell
         self.ends = [arb(0), *accumulate(t / self.T for t in durations[:-1]), arb(1)]
         self.lengths = [b - a for a, b in pairwise(self.ends)]
