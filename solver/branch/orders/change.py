@@ -23,7 +23,7 @@ from .candidates import AtEvent, Candidate
 AHEAD = (1e-3, 1e-2, 1e-4, 1e-5)
 
 #: Steps beside a flip, in turn.
-ASIDE = (1e-4, 1e-2, 1e-3)
+ASIDE = (1e-4, 1e-2, 1e-3, 3e-2, 1e-1)
 
 
 def beyond(found: Found) -> tuple[Piece, Place] | None:
