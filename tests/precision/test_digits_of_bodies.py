@@ -85,9 +85,10 @@ def test_solutions_in_balls_are_those_of_the_kernels(r: Reference, method: str) 
         pytest.skip("of this order Newton's method finds none, or one without a phase")
     given = own.cell if method == "exact" else kernel.given(own, order)
     found = refine(kernel, given, kernel.times(z), 22, digits.in_balls(own, method))
-    scale = 1e-12 * float(np.sum(times[: len(r.durations)]))
+    # Of two functions a switch rounding is 2e-13 to 2e-12 of the cell, by the processor.
+    scale = (4e-12 if functions else 1e-12) * float(np.sum(times[: len(r.durations)]))
     assert [float(q) for q in found] == pytest.approx(list(kernel.times(z)), rel=0, abs=scale)
-    if method == "exact" and not r.name.startswith("beam"):  # of stiff matrices, in doubles
+    if method == "exact":
         assert [float(q) for q in found] == pytest.approx(list(times), rel=0, abs=scale)
     assert all(float(q.rad()) < 1e-20 * scale * 1e12 for q in found)
 
