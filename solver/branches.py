@@ -203,18 +203,18 @@ def branches(
     check_case(case)
     how = Expansion.checked(case, method, order, functions)
     bounds = _bounds(case, parameter, first, last)
-    branches: list[Branch] = []
+    found: list[Branch] = []
     try:
         for both in every_way(case, parameter, bounds, VALUES, DOUBLED, progress):
             own = case if both.course is None else both.course.case(case)
-            branches.append(_result(own, parameter, both, how))
+            found.append(_result(own, parameter, both, how))
     except KeyboardInterrupt:
-        if not branches:
+        if not found:
             raise
-        raise _interrupted(branches) from None
-    if not branches:
+        raise _interrupted(found) from None
+    if not found:
         _start(case, parameter, bounds)
-    return branches
+    return found
 
 
 def _interrupted(done: list[Branch]) -> Interrupted:

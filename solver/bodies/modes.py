@@ -1,9 +1,9 @@
 """The natural modes of a structure, with the digits that its matrices determine.
 
-What computes eigenvalues errs by the rounding of the largest, and so does a step with K; that
-is 2e-9 of the lowest frequency of a beam of 60 modes.  What is left of ``K q - w^2 M q``, which
-is summed without rounding, corrects both: T. Ogita and K. Aishima, Japan J. Indust. Appl. Math.
-35 (2018), 1007-1035.
+What computes eigenvalues errs by the rounding of the largest, and so does a step with K: by
+2e-9 of the lowest eigenvalue of a beam of 60 modes.  What is left of ``K q - w^2 M q``, summed
+without rounding, corrects both: T. Ogita and K. Aishima, Japan J. Indust. Appl. Math. 35
+(2018), 1007-1035.
 """
 
 from typing import Any
@@ -49,6 +49,12 @@ def natural_modes(
     factors : SuperLU, optional
         Those of ``K + shift M``, by which few modes of many are found; without them all are.
 
+    Returns
+    -------
+    squares : ndarray, shape (count,)
+        Growing; 0 where the body moves freely.
+    shapes : ndarray, shape (n, count)
+
     Raises
     ------
     BodyError
@@ -82,9 +88,18 @@ def corrected(
 ) -> tuple[Vector, Matrix]:
     """Return natural modes with their digits, from some that have half of them.
 
-    Each is turned by the others by what is left of its equation there, over the distance of
-    the frequencies.  Those that are nearly one are told apart by their own small matrices;
-    what a mode has of those that are not among them is taken away by the factors.
+    With ``R = I - Phi^T M Phi`` and ``S = Phi^T K Phi``, mode j is turned by
+    ``(S_ij + w_j^2 R_ij)/(w_j^2 - w_i^2)`` towards mode i.  Those that are nearly one are told
+    apart by their own small matrices; what a mode has of those that are not among them is taken
+    away by the factors.
+
+    Parameters
+    ----------
+    M, K : sparse array, shape (n, n)
+    squares : ndarray, shape (m,)
+    shapes : ndarray, shape (n, m)
+    factors : SuperLU, optional
+        Those of K, shifted, where m is less than n.
     """
     from scipy import linalg  # noqa: PLC0415
 

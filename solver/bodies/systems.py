@@ -27,6 +27,15 @@ def exact_product(A: Any, B: Matrix) -> tuple[Matrix, Matrix]:
     """Return ``A B`` of a sparse and a full matrix, rounded, and the rounding of that.
 
     Both are cut into parts of so few bits that the products of parts are without rounding.
+
+    Parameters
+    ----------
+    A : sparse array, shape (n, k)
+    B : ndarray, shape (k, m)
+
+    Returns
+    -------
+    product, rest : ndarray, shape (n, m)
     """
     A = A.tocsr()
     counts = np.diff(A.indptr)
@@ -76,7 +85,7 @@ def factored(matrix: Any) -> Any:
 def solver(matrix: Any, factors: Any = None) -> Solve:
     """Return what solves systems with a symmetric sparse matrix, with the digits of a number.
 
-    What is left of a system is solved once more.
+    What is left of a system is solved once more.  Right sides have the shape (n, k).
     """
     factors = factored(matrix) if factors is None else factors
 

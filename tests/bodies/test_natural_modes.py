@@ -79,6 +79,30 @@ def test_few_modes_are_the_lowest_of_all(count: int) -> None:
     assert shapes == pytest.approx(every[:, :count], abs=1e-13 * np.abs(every).max())
 
 
+@pytest.mark.parametrize("seed", range(24))
+def test_modes_of_random_matrices_have_their_digits(seed: int) -> None:
+    """Stiff and soft, twice alike, free, or with negative stiffness; masses of many sizes."""
+    rng = np.random.default_rng(seed)
+    n, kind = int(rng.integers(2, 12)), seed % 4
+    A = rng.integers(-3, 4, (n, n)).astype(float)
+    M, K = np.diag(np.exp(rng.uniform(-4, 4, n))), A + A.T
+    if kind == 0:
+        K = A @ A.T + np.diag(10.0 ** rng.integers(-6, 7, n))
+    elif kind == 1:
+        links = np.diff(np.eye(n), axis=0)
+        K = links.T @ np.diag(10.0 ** rng.integers(-5, 6, n - 1)) @ links
+    elif kind == 2:
+        K = A @ A.T + np.eye(n)
+    found = flint.acb_mat(flint.arb_mat(M.tolist()).solve(flint.arb_mat(K.tolist())))
+    exact = np.sort([float(q.real.mid()) for q in found.eig(multiple=True)])
+    if kind == 2:
+        M, K, exact = np.kron(np.eye(2), M), np.kron(np.eye(2), K), np.repeat(exact, 2)
+    squares, shapes = modes.natural_modes(*map(sparse.csr_array, (M, K)), len(M), 0.0)
+    held = squares != 0
+    assert squares[held] == pytest.approx(exact[held], rel=1e-13)
+    assert shapes.T @ M @ shapes == pytest.approx(np.eye(len(M)), abs=1e-13)
+
+
 def test_what_eigh_finds_has_not_these_digits(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(modes, "WIDE", np.inf)
     M, K = map(sparse.csr_array, beam(CLAMPED))

@@ -443,3 +443,13 @@ def test_what_happens_just_beyond_the_range_is_no_event(least):
     branch = ns.branch(ns.scene("elastic-plastic")(), "yield_force", least, 1)
     assert branch.events == ()
     assert branch.why_it_ended == ("the end of the range", "the end of the range")
+
+
+@pytest.mark.parametrize("ulps", range(-3, 4))
+def test_a_branch_begins_at_a_touch_on_the_side_where_there_are_orbits(ulps: int) -> None:
+    """Which side is ahead there is rounding."""
+    start = TOUCH * (1 + ulps * 2.0**-52)
+    spring = ns.scene("clearance")(**SPRING, frequency=start)
+    branch = ns.branch(spring, "frequency", start, 1.2)
+    assert [event.kind for event in branch.events] == ["grazing"]
+    assert sorted(branch.why_it_ended) == ["grazing", "the end of the range"]

@@ -37,8 +37,8 @@ class Frame:
     laws : list of Forms
         The contact forces by the law of each phase.
     waves, size : int
-        How many unknowns are harmonics, whom the factors of `breaks` follow, then the memory;
-        and how many there are.
+        How many unknowns are harmonics, and how many there are in all: the factors of `breaks`
+        follow the harmonics, and the memory follows these.
     memory : slice
         Where the memory is among them.
     """
