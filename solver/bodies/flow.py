@@ -1,6 +1,5 @@
 """The flow of a body in one phase, in the eigenbasis of that phase."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -75,30 +74,25 @@ class Flow:
         The first two columns are by the cosine and the sine of the angle that the forcing has
         at the beginning: their sum with these as factors is the answer to the forcing.
         """
-        t, (cos, sin) = np.asarray(t), self.inputs[:, :2].T
-        up, down = (cos - 1j * sin) / 2, (cos + 1j * sin) / 2
-        found = self.answered(self.inputs, 0.0, t)
-        found[..., :2] = self.answered(np.column_stack([up, 1j * up]), self.omega, t)
-        found[..., :2] += self.answered(np.column_stack([down, -1j * down]), -self.omega, t)
-        return np.asarray((self.basis @ found).real)
+        half = self.upper
+        return np.asarray((half.basis @ half.answered(half.drives, np.asarray(t))).real)
 
     @np.errstate(over="ignore", invalid="ignore")
-    def answered(self, drive: Complex, omega: float, t: Vector) -> Complex:
-        """Return what ``drive e^(i omega t)`` makes of rest; shape (..., n, k) by (n, k)."""
-        found = drive * steady(self.poles, omega, t[..., None])[..., None]
+    def answered(self, drives: Complex, t: Vector) -> Complex:
+        """Return what drives, as `drives` are, make of rest; shape (..., n, k) by (3, n, k)."""
+        waves = np.array([self.omega, -self.omega, 0.0])
+        along = steady(self.poles, waves[:, None], t[..., None, None])
+        found = np.einsum("wnk,...wn->...nk", drives, along)
         if self.free:
-            moving = drive[self.free : 2 * self.free]
-            found[..., : self.free, :] += moving * twice(omega, t)[..., None, None]
+            moving, places = drives[:, self.free : 2 * self.free], found[..., : self.free, :]
+            places += np.einsum("wnk,w...->...nk", moving, [twice(w, t) for w in waves])
         return np.asarray(found)
 
-    def moved(self, start: Complex, drives: Sequence[Complex], t: Vector) -> Complex:
-        """Return z at times, by its start and what drives it; shape (n, len(t))."""
+    def moved(self, start: Complex, drives: Complex, t: Vector) -> Complex:
+        """Return z at times, by its start and what drives it, (3, n); shape (n, len(t))."""
         found = start[:, None] * np.exp(self.poles[:, None] * t)
         found[: self.free] += start[self.free : 2 * self.free, None] * t
-        for drive, omega in zip(drives, (self.omega, -self.omega, 0.0), strict=True):
-            if drive.any():
-                found += self.answered(drive[:, None], omega, t)[..., 0].T
-        return np.asarray(found)
+        return np.asarray(found + self.answered(drives[..., None], t)[..., 0].T)
 
     def seen(self, rows: Matrix, y: Vector, inputs: Vector, t: Vector) -> Matrix:
         """Return linear forms of the state at times from its start; shape (len(rows), len(t)).
@@ -109,7 +103,7 @@ class Flow:
         basis, start = rows @ half.basis, half.inverse @ y
         if self.is_clear(float(np.abs(t).max(initial=0.0))):
             return half._clear(basis, start, inputs, t)
-        return np.asarray((basis @ half.moved(start, half.drives(inputs), t)).real)
+        return np.asarray((basis @ half.moved(start, half.drives @ inputs, t)).real)
 
     @cached_property
     def upper(self) -> "Flow":
@@ -128,12 +122,17 @@ class Flow:
         norms = np.linalg.norm(self.basis) * np.linalg.norm(self.inverse)
         return float(norms) / max(len(self.poles), 1)
 
-    def drives(self, inputs: Vector) -> tuple[Complex, Complex, Complex]:
-        """Return what drives each pole: factors of ``e^(i omega t), e^(-i omega t), 1``."""
-        cos, sin = self.inputs[:, 0], self.inputs[:, 1]
-        turn = (inputs[0] + 1j * inputs[1]) / 2
-        up, down = (cos - 1j * sin) * turn, (cos + 1j * sin) * turn.conjugate()
-        return up, down, self.inputs[:, 2:] @ inputs[2:]
+    @cached_property
+    def drives(self) -> Complex:
+        """What each input drives each pole by, shape (3, n, 3 + M).
+
+        As factors of ``e^(i omega t)``, ``e^(-i omega t)`` and 1.
+        """
+        (cos, sin), found = self.inputs[:, :2].T / 2, np.zeros((3, *self.inputs.shape), complex)
+        found[0, :, 0], found[0, :, 1] = cos - 1j * sin, sin + 1j * cos
+        found[1, :, 0], found[1, :, 1] = cos + 1j * sin, sin - 1j * cos
+        found[2, :, 2:] = self.inputs[:, 2:]
+        return found
 
     def is_clear(self, longest: float) -> bool:
         """Whether no pole is near what drives it: then steady answers keep their digits."""
@@ -142,7 +141,7 @@ class Flow:
 
     def _clear(self, basis: Complex, start: Complex, inputs: Vector, t: Vector) -> Matrix:
         """Return forms of the state by steady answers and what of the start decays."""
-        half, other, one = self.drives(inputs)
+        half, other, one = self.drives @ inputs
         up, down = (
             half / (1j * self.omega - self.poles),
             other / (-1j * self.omega - self.poles),
@@ -213,14 +212,15 @@ def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Comple
     return found[0], found[1:]
 
 
-def steady(poles: Complex, omega: float, t: float | Vector) -> Complex:
+def steady(poles: Complex, omega: float | Vector, t: float | Vector) -> Complex:
     """Return ``int_0^t e^(s (t - r)) e^(i omega r) dr``, at a resonance as well."""
     apart = 1j * omega - poles
-    turned = apart * t
+    turned, decayed = apart * t, np.exp(poles * t)
     small = np.abs(turned) < 1.0
-    with np.errstate(all="ignore"):
-        far = (np.exp(1j * omega * t) - np.exp(poles * t)) / apart
-        near = np.exp(poles * t) * t * _phi(np.where(small, turned, 1.0))
+    far = (np.exp(1j * omega * t) - decayed) / np.where(apart == 0, 1.0, apart)
+    if not small.any():
+        return np.asarray(far)
+    near = decayed * t * _phi(np.where(small, turned, 1.0))
     return np.asarray(np.where(small, near, far))
 
 

@@ -163,8 +163,9 @@ def _mean_fixes(cell: "BodyCell") -> bool:
         return True
     part, count = parts_of(cell)[0], len(cell.body.squares)
     force = np.vstack([np.zeros_like(cell.body.at), cell.body.at])
-    along = part.flow.answered(part.flow.inverse @ force, 0.0, np.asarray(cell.duration))
-    answer = (part.flow.basis @ along).real
+    drives = np.zeros((3, *force.shape), dtype=complex)
+    drives[2] = part.flow.inverse @ force
+    answer = (part.flow.basis @ part.flow.answered(drives, np.asarray(cell.duration))).real
     seen = ways.T @ part.switch.state[:, : 2 * count] @ answer
     return bool(cell.sign > 0 and np.abs(seen).max() > UNSEEN * np.abs(answer).max())
 
