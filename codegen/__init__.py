@@ -32,10 +32,10 @@ def derive(
     Parameters
     ----------
     method : str
-        ``"hb"``, ``"hb-ck"``, ``"ck"``, ``"ck-tau"``, or spelled with the class of the scene:
-        ``"hb"``, ``"hb-c1"`` and ``"c1"`` are Sections 3.1, 3.2 and 3.3 of the paper.
+        ``"hb"``, ``"hb-ck"``, ``"ck"`` or ``"ck-tau"``; the class of the scene may stand in
+        the name.  ``"hb"``, ``"hb-c1"`` and ``"c1"`` are Sections 3.1 to 3.3 of the paper.
     scene : str or Scene
-        The name of an oscillator, the path of its file, or itself; that of the paper.
+        The name of a scene, the path of its file, or the scene itself; default: the paper's.
     functions : int, optional
         Functions of ``"hb-ck"`` with a break at each switch.
 

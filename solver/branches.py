@@ -100,41 +100,39 @@ def branch(
     functions: int | None = None,
     progress: Seen = lambda value: None,
 ) -> Branch:
-    """Return the orbit of an oscillator followed along a parameter, stable or not.
+    """Follow the exact orbit of an oscillator along a parameter, stable or not.
 
-    The orbits are exact.  The branch goes round folds, and on with another order of phases
-    where one begins or ends; what happens on it is located to rounding and named.
+    The branch turns at folds, and continues where the order of phases changes.  Events (folds,
+    flips, grazings and so on) are named and located to rounding.
 
     Parameters
     ----------
     case : Case
-        The oscillator.  The branch is that of its orbit, if its value of the parameter is in
-        the range; else of one that is found at an end of the range, in the middle or at a
-        quarter.
+        The oscillator.  The branch begins at its orbit if its own value of the parameter is
+        in the range; else at an orbit found at the ends, the middle or the quarters of it.
     parameter : str
-        Its name.
+        The name of the parameter.
     first, last : float
         The range of the parameter, in SI units.
     start : Orbit or ExactOrbit, optional
-        An orbit on the branch, of any parameters.
+        An orbit to begin with, in place of one that is searched for.
     method, order, functions : str, int, int, optional
-        An expansion that is solved beside each orbit, from its times, as `solve` takes it;
-        with one of the first two the other has its default.  Each row has it as ``beside``,
-        with its errors.
+        An expansion to solve beside each exact orbit, from its times; see `solve`.  Given one
+        of `method` and `order`, the other has its default.  ``row.beside`` has its errors.
     progress : callable, optional
-        Called with the parameter of each orbit when it is found.
+        Called with the parameter of each orbit.
 
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ValueError
-        If the parameter is none, an end of the range makes no oscillator (`ParameterError`),
-        or the range is empty or does not hold `start`.
+        If the scene has no such parameter, an end of the range is out of its bounds
+        (`ParameterError`), the range is empty, or `start` is outside of it.
     NoOrbit
-        If there is no orbit to start from; with what was tried.
+        If no orbit to begin with is found; with all starts that were tried.
     Interrupted
-        A `KeyboardInterrupt`: with what was found before.
+        A `KeyboardInterrupt`, with the part that was found before.
 
     Examples
     --------
@@ -187,8 +185,8 @@ def branches(
 ) -> list[Branch]:
     """Return the branches of all orbits that are found at a few values of a parameter.
 
-    Orbits that coexist, islands that no branch from elsewhere reaches, those of twice the
-    period at flips, and those without the symmetry where it is lost.
+    So coexisting orbits and isolated branches are found.  Branches of doubled period are
+    followed from each flip, and unsymmetric ones from where symmetry is lost.
 
     Parameters
     ----------

@@ -72,18 +72,18 @@ def chart(
     case : Case
         The oscillator; its own values of the two parameters do not matter.
     axes : mapping of str to (float, float, int)
-        Two parameters: each from where to where in SI units, and at how many values.
+        For each of two parameters its first and last value in SI units, and how many values.
     executor : Executor, optional
-        What computes lines and blocks of rows: anything with the ``submit`` of
-        `concurrent.futures`, such as pools of processes, dask's client and pools of MPI; this
-        process without it.
+        Where lines and blocks of rows are computed: anything with the ``submit`` of
+        `concurrent.futures`, such as pools of processes, dask's client and pools of MPI.
+        Default: this process.
     seen : callable
         Called with words when a line or a block is done; there are `number_of_tasks`.
 
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ParameterError
         A `ValueError`: if the scene has no such parameter, a corner of the map makes no
         oscillator, or the equations change too much over it.

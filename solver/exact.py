@@ -29,11 +29,11 @@ def exact_orbit(
     case : Case
         The oscillator.
     durations : sequence of float
-        Rough durations of the phases of one cell in s, to start from; without them, the
-        scene's guess, equal durations, and at last those on which a simulation settles: also
-        of an order of phases that is not declared, if no other orbit is stable.
+        Rough durations of the phases of one cell in s, to start from.  Default: the scene's
+        guess, then equal durations, then those on which a simulation settles; these may have
+        an order of phases that is not declared, if no other orbit is stable.
     forcing_phase : float
-        Rough phase of the forcing, with them.
+        Rough phase of the forcing in rad, together with `durations`.
 
     Returns
     -------
@@ -43,7 +43,7 @@ def exact_orbit(
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ValueError
         If there are not as many durations as phases, or they are not positive.
     NoOrbit

@@ -46,20 +46,20 @@ def family(
     functions: int | None = None,
     progress: Callable[[FamilyRow], None] = lambda row: None,
 ) -> Family:
-    """Return the orbits of an oscillator as one of its parameters takes many values.
+    """Return the orbits of an oscillator at many values of one parameter.
 
     Parameters
     ----------
     case : Case
         The oscillator.
     parameter : str
-        Its name.
+        The name of the parameter.
     values : array_like of float, shape (n,)
-        What it becomes, in SI units.  An orbit is looked for from that at the value before.
+        Its values, in SI units.  The search at a value starts from the orbit at the one before.
     method : str, optional
         See `solve`.
     order : int, optional
-        ``N``; without it one at which these have converged to rounding.
+        ``N``; default: an order at which the method has converged to rounding.
     functions : int, optional
         Functions of ``"hb-ck"`` at each switch.
     progress : callable, optional
@@ -74,12 +74,12 @@ def family(
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ValueError
-        If the parameter, the method or the order is not one that there is, there are no values
-        or too many, or one makes no oscillator (`ParameterError`); before any is computed.
+        If there is no such parameter, method or order, no value or too many, or a value is out
+        of bounds (`ParameterError`).  This is checked before anything is computed.
     Interrupted
-        A `KeyboardInterrupt`: with the orbits that were computed before.
+        A `KeyboardInterrupt`, with the orbits that were computed before.
 
     Examples
     --------

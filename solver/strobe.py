@@ -40,32 +40,32 @@ def diagram(
     case: Case, parameter: str, values: Iterable[float], transient: int = TRANSIENT,
     cycles: int = KEPT, seen: Callable[[float], None] = lambda value: None,
 ) -> Diagram:  # fmt: skip
-    """Return the states once a period of the forcing, as a parameter takes each of some values.
+    """Return a bifurcation diagram: the states once a period of the forcing, at each value.
 
-    At each value the motion begins where that at the value before was left; from rest at the
-    first, and where that ended before or no phase takes its state.  Of a body it is the first
-    contact that is seen, and that goes on from its place where the modes are others.
+    The motion at a value starts from the last state at the value before.  At the first value,
+    and where the motion before ended or its last state is in no phase, it starts from rest.  Of
+    a body the states are those of its first contact.
 
     Parameters
     ----------
     case : Case
     parameter : str
-        One of the scene.
+        The name of the parameter.
     values : iterable of float
-        In SI units, in the order in which they are passed through.
+        Its values in SI units, in this order.
     transient, cycles : int
-        Periods of the forcing that are left out, and that are kept.
+        How many periods of the forcing are dropped first, and how many are kept.
     seen : callable
         Called with each value when it is done.
 
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ParameterError
-        If the scene has no such parameter, or a value cannot be one.
+        If the scene has no such parameter, or a value is out of its bounds.
     ValueError
-        If nothing forces the scene, or a number is not one that can be simulated.
+        If the scene has no forcing, or a number is out of range.
 
     Examples
     --------
@@ -97,28 +97,28 @@ def basins(
     case: Case, x: Sequence[float], v: Sequence[float], cycles: int = CYCLES,
     executor: Executor | None = None, seen: Callable[[float], None] = lambda value: None,
 ) -> Basins:  # fmt: skip
-    """Return on which attractor the motion settles from each state of a grid.
+    """Return the basins of attraction: the attractor that each state of a grid leads to.
 
     Parameters
     ----------
     case : Case
     x, v : sequence of float
-        Displacements in m and velocities in m/s at the start, where the phase of the forcing
-        is 0.  Of a body they are those of its first contact, in the state nearest to rest.
+        Displacements in m and velocities in m/s at the start, at phase 0 of the forcing.  Of a
+        body they are those of its first contact, in the state nearest to rest.
     cycles : int
-        Periods of the forcing that a motion is followed.
+        For how many periods of the forcing each motion is followed.
     executor : Executor, optional
-        What computes the rows of the grid, of `concurrent.futures` or with its ``map``; this
-        process without it.
+        Where the rows of the grid are computed: a pool of `concurrent.futures`, or what has
+        its ``map``.  Default: this process.
     seen : callable
         Called with the velocity of each row when it is done.
 
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ValueError
-        If nothing forces the scene, or a number is not one that can be simulated.
+        If the scene has no forcing, or a number is out of range.
 
     Examples
     --------

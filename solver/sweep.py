@@ -29,8 +29,7 @@ def sweep(
     case : Case
         The oscillator.
     methods : str or sequence of str, optional
-        The methods, one after the other.  The default is all of them, without those orders
-        that a method cannot compute and another can.
+        The methods, in order.  Default: all; orders that a method does not have are left out.
     orders : iterable of int
         The orders of every method.
     functions : int, optional
@@ -41,10 +40,10 @@ def sweep(
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ValueError
-        If a method or an order is not one that can be computed, or there are none; before
-        anything is.
+        If there is no such method or order, or none is given.  This is checked before anything
+        is computed.
 
     Examples
     --------

@@ -206,7 +206,7 @@ class Family(OfRows):
         Parameters
         ----------
         ax : matplotlib Axes, optional
-            Where; new ones without it.
+            Where to draw; default: new axes.
         quantity : str
             ``"displacement"``, ``"velocity"``: both ends; ``"times"``: the durations of the
             phases, or of a single one the phase of the forcing; ``"estimate"``: the estimated

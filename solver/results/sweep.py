@@ -124,7 +124,7 @@ class Sweep(OfRows, Sequence[SweepRow]):
         Parameters
         ----------
         ax : matplotlib Axes, optional
-            Where; new ones, with a legend, without it.
+            Where to draw; default: new axes, with a legend.
         quantity : {"times", "discontinuous", "period"}
             The field of `Errors`.
         **style

@@ -28,39 +28,38 @@ def simulate(
 ) -> Simulation:
     """Return the motion of an oscillator from a given state, from event to event.
 
-    Each phase is the exact flow of its equation.  Events are located so that none can be
-    stepped over: see `locate`.  Which phase follows is decided by the demands of the scene's
-    phases.
+    Each phase is integrated exactly, and no event can be stepped over: see `locate`.  The next
+    phase is the one whose demands hold.
 
     Parameters
     ----------
     case : Case
         The oscillator.
     state : (float, float), optional
-        Displacement in m and velocity in m/s at the start; without it at rest at 0 or, if
-        the scene does not admit that, at or next to the nearest limit.  Of a body they are
-        those of its first contact, in the state nearest to rest; without them it begins at
-        rest: at 0, or where a phase leaves it in balance.
+        Displacement in m and velocity in m/s at the start.  Default: at rest at 0 or, if the
+        scene does not admit that, at or next to the nearest limit.  Of a body they are those
+        of its first contact, in the state nearest to rest; default: at rest at 0, or in the
+        equilibrium of a phase.
     cycles : float, optional
-        How many periods of the forcing or, where nothing forces, how many times 2 pi of the
-        scene's unit of time; 20 without it and without `time`.
+        For how many periods of the forcing; without forcing, how many times 2 pi of the
+        scene's unit of time.  Default 20.
     time : float, optional
-        How long in s, in place of `cycles`.
+        For how long in s, in place of `cycles`.
     forcing_phase : float
-        Phase of the forcing at the start, in rad; 0 where nothing forces.
+        Phase of the forcing at the start, in rad.
 
     Returns
     -------
     Simulation
-        Its `ended` says why where it ends before its time: chatter, or a state that no phase of
-        the scene takes.
+        If it ends before its time, `ended` says why: chatter, or a state that is in no phase
+        of the scene.
 
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ValueError
-        If a number is not one that can be simulated, or no phase takes the state at the start.
+        If a number is out of range, or the state at the start is in no phase.
 
     Examples
     --------

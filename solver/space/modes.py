@@ -100,7 +100,7 @@ class Modes(Tabular, Sequence[Mode]):
         Parameters
         ----------
         ax : matplotlib Axes, optional
-            Where; new ones, with a legend, without it.
+            Where to draw; default: new axes, with a legend.
         quantity : {"shape", "discontinuous"}
             The displacement, or the first derivative that jumps: slope, moment or shear force.
         number : int

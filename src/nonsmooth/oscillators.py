@@ -1,4 +1,4 @@
-"""`solve`: the orbit that users ask for, by method and order or as accurate as they say."""
+"""`solve`: one periodic orbit, by method and order, to a tolerance, or within a budget."""
 
 from .solver.results.orbit import Orbit
 from .solver.scenes.case import Case, check_case
@@ -24,50 +24,50 @@ def solve(
     phases: str | None = None,
     cycles: int | None = None,
 ) -> Orbit:
-    """Return the periodic orbit of an oscillator: by method and order, or as accurate as asked.
+    """Return the periodic orbit of an oscillator, by one method at one order or to a tolerance.
 
     Parameters
     ----------
     case : Case
         The oscillator: ``ns.scene("impact")(gap=0.2)``, or a `StickSlip`.
     method : str, optional
-        ``"hb"``, ``"hb-ck"``, ``"ck"`` or ``"ck-tau"``, also with the class of the scene,
-        as ``"c0-tau"``; of the belt of the paper ``"hb-c1"`` as well.  Without it ``"ck-tau"``,
-        or with a budget whichever is best.  The command line shows the orbit by every method
-        then: that is ``sweep(case, orders=[10])``.
+        ``"hb"``, ``"hb-ck"``, ``"ck"`` or ``"ck-tau"``; the class of the scene may stand in
+        the name, as in ``"c0-tau"``.  A `StickSlip` has ``"hb-c1"`` as well.  Default:
+        ``"ck-tau"``, or with a budget the most accurate method.  ``sweep(case, orders=[10])``
+        compares all methods.
     order : int, optional
-        ``N``; 10 without it.  A tolerance or a budget chooses it, and it is left out.
+        ``N``; default 10.  Not together with `tol` or `budget`, which choose it.
     functions : int, optional
-        Functions beside the harmonics of ``"hb-ck"`` at each switch; 1, or 2 where the
-        velocity jumps, if not given.
+        Functions with a break at each switch, which ``"hb-ck"`` has beside the harmonics.
+        Default: 1, or 2 where the velocity jumps.
     tol : float, optional
-        Largest error of the times and the period, as estimated, as a part of the period;
-        between 0 and 1.  The lowest order is taken that meets it.
+        Largest estimated error of the times and the period, as a fraction of the period,
+        between 0 and 1.  The lowest order that meets it is used.
     budget : float, optional
-        Seconds for one orbit: the best that fits, timed on this machine, by this method or
-        by any.  It chooses the order, and excludes a tolerance.
+        Time for one orbit in s, measured on this machine: the most accurate orbit that fits.
+        Not together with `tol`.
     motion : str, optional
-        Of a scene with several motions, orders of its phases, the one that is meant; without
-        it each is tried, and the orbit that there is is returned.  If none is stable, that is
-        the orbit on which a simulation settles, of whatever order of phases.
+        The name of one of the motions that a scene declares, each an order of its phases.
+        Default: each is tried, and a stable orbit is preferred.  If none is stable, the orbit
+        is that on which a simulation settles, whatever its order of phases.
     phases : str, optional
-        An order of phases that the scene need not declare: ``"slide,stop,slide,stop"``, with a
-        minus before the mirror image of one.
+        An order of phases, such as ``"slide,stop,-slide,-stop"``; the scene need not declare
+        it.  A minus stands for the mirror image of a phase.
     cycles : int, optional
-        Periods of the forcing in one of the motion; without it those of the case, usually 1.
+        Periods of the forcing in one period of the motion; default: that of the case.
 
     Raises
     ------
     TypeError
-        If `case` is none.
+        If `case` is not a `Case`.
     ValueError
-        If an argument is not one that can be computed, or some exclude each other.
+        If an argument is out of range, or excludes another.
     NoOrbit
-        If there is no admissible orbit, or none was found; it says which.
+        If there is no admissible orbit, or none was found; the message says which.
     NotCertified
-        If no orbit in float64 is as accurate as asked for.
+        If no orbit in float64 meets the tolerance.
     TooSlow
-        If none is computed within the budget.
+        If no orbit can be computed within the budget.
 
     Examples
     --------

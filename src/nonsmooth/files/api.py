@@ -38,19 +38,19 @@ def save(thing: Savable, path: str | Path) -> None:
     Parameters
     ----------
     thing : orbit, sweep, family or modes, or a sequence of orbits or of modes
-        What to save, of a case of any scene, or of one structure.
+        What to save.
     path : str or Path
-        Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  A CSV is for other programs, and
-        is not loaded, nor are modes: that of orbits has their motion over one period.
+        Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  A CSV is for other programs: that
+        of orbits has their motion over one period.  `load` reads neither a CSV nor modes.
 
     Raises
     ------
     FileError
-        A `ValueError`: if the name ends otherwise, or what netCDF needs is not installed.
+        A `ValueError`: if the name ends otherwise, or a library for netCDF is not installed.
     TypeError
-        If `thing` is none of these, or a sequence that is empty or of several kinds.
+        If `thing` cannot be saved, or is a sequence that is empty or of several kinds.
     OSError
-        If the file cannot be written; then nothing is left of it.
+        If the file cannot be written; no part of it is left behind.
 
     Examples
     --------
@@ -79,31 +79,31 @@ def save(thing: Savable, path: str | Path) -> None:
 def load(path: str | Path, scene: object = None) -> Loaded:
     """Read a file that `save` or the command line wrote.
 
-    A file that was changed since is loaded with a `FileWarning`, if what it holds can be
-    right: other spaces, another order of keys or a note in it do no harm.
+    A file that was changed since is loaded with a `FileWarning` if its content is still
+    consistent: other spaces, another order of keys or a note in it do no harm.
 
     Parameters
     ----------
     path : str or Path
-        Of a ``.json`` or ``.nc`` file.
+        A ``.json`` or ``.nc`` file.
     scene : str, Path or Scene, optional
         The scene of the file, as `nonsmooth.scene` takes it, if it is not shipped.
 
     Returns
     -------
     orbit, sweep or family, or a list of orbits
-        With the bits of what was saved.
+        Bit for bit what was saved.
 
     Raises
     ------
     FileError
-        A `ValueError`: if the file cannot be right (a period that is not positive, too many
-        or too few numbers, an orbit that does not satisfy its equations), is from a newer
-        version, of another kind or scene, or of other equations.
+        A `ValueError`: if the file is damaged (a period that is not positive, too many or too
+        few numbers, an orbit that does not satisfy its equations), is from a newer version, of
+        another kind or scene, or was computed with other equations.
     SceneFileError
-        A `ValueError`: if `scene` is a file that is not as it must be.
+        A `ValueError`: if `scene` is a file that does not define a scene.
     OSError
-        If it cannot be read.
+        If the file cannot be read.
     """
     source = Path(path)
     suffix = _suffix(source)

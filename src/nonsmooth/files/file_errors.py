@@ -23,7 +23,7 @@ class FileError(ValueError):
 
 
 class FileWarning(UserWarning):
-    """A file that was loaded, and is not as it was written."""
+    """A file was loaded that was changed after it was written."""
 
 
 class NotRightError(ValueError):

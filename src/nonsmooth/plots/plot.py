@@ -10,16 +10,16 @@ def plot(result: Any, ax: Any = None, **options: Any) -> Any:
     Parameters
     ----------
     result : orbit, sweep, family, modes or simulation, or a sequence of these
-        What is drawn, by its own ``plot``.
+        What to draw, by its own ``plot``.
     ax : matplotlib Axes, optional
-        Where; new ones without it.
+        Where to draw; default: new axes.
     **options
-        As ``result.plot`` takes them: ``quantity``, and the style of the lines.
+        Passed on to ``result.plot``: ``quantity``, and the style of the lines.
 
     Raises
     ------
     TypeError
-        If there is nothing that can be drawn.
+        If a result cannot be drawn.
     MissingExtra
         An `ImportError`: if matplotlib, the extra ``plot``, is not installed.
 
