@@ -14,7 +14,8 @@ from drawn import data
 from matplotlib.colors import to_hex
 
 import nonsmooth as ns
-from nonsmooth.report import intervals, workers
+from nonsmooth import workers
+from nonsmooth.report import intervals
 from nonsmooth.report.case import DEFAULT, Case, at_alpha
 from nonsmooth.report.checks import Finding
 from nonsmooth.report.claims import CLAIMS, Claim, Part

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 import nonsmooth as ns
 from nonsmooth.plots.axes import write
 
+from ..workers import pool
 from .captions import PLATES
 from .case import Case
 from .claims import CLAIMS, PARTS
@@ -17,7 +18,6 @@ from .figures import FIGURES, claim_map
 from .intervals import SCANNED, scan
 from .page import page
 from .pictures import LOOK, SIZE, figure, files, write_report
-from .workers import pool
 
 #: Names of the pictures, that of the claims last.
 PICTURES = (*FIGURES, "claims")

@@ -8,7 +8,6 @@ import numpy as np
 from nonsmooth.files import documents
 from nonsmooth.files.api import load
 from nonsmooth.files.file_errors import FileError
-from nonsmooth.report.workers import pool
 from nonsmooth.solver import chart as maps
 from nonsmooth.solver.branches import branch, branches
 from nonsmooth.solver.no_orbit import NoOrbit
@@ -20,6 +19,7 @@ from nonsmooth.solver.results.strobe import Diagram
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import LoadedScene
 from nonsmooth.solver.strobe import diagram
+from nonsmooth.workers import pool
 
 from ..about import Given
 from ..output import PICTURES, Destination, drawn_by

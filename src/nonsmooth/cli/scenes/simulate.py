@@ -97,7 +97,7 @@ def _basins(
     given: Given[LoadedScene], to: Destination, grid: tuple[str, ...], cycles: int
 ) -> int:
     """Draw basins of attraction, write them; the exit status."""
-    from nonsmooth.report.workers import pool
+    from nonsmooth.workers import pool
 
     axes = {}
     for text in grid:
