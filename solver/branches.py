@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .branch.branch import Both, Bounds, go, orbits_at, start_of
+from .branch.branch import BothWays, Bounds, go, orbits_at, start_of
 from .branch.orders.change import doubled
 from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
@@ -156,7 +156,7 @@ def branch(
     if not bounds[0] <= value <= bounds[1]:
         expected = f"an orbit between {first:g} and {last:g}"
         raise ValueError(f"start: got one at {parameter} = {value:g}, expected {expected}")
-    found = Both(index_of(case, parameter))
+    found = BothWays(index_of(case, parameter))
     try:
         place = start_of(orbit, found.index, bounds)
     except ArithmeticError as error:
@@ -222,19 +222,19 @@ def _interrupted(done: list[Branch]) -> Interrupted:
 def every_way(
     case: Case, parameter: str, bounds: Bounds, values: int, beside: Container[str],
     seen: Seen = lambda value: None,
-) -> Iterator[Both]:  # fmt: skip
+) -> Iterator[BothWays]:  # fmt: skip
     """Yield the branches of all orbits that are found at so many values, each when followed.
 
     Then those that begin at events of the kinds `beside`: of twice the period at a flip, and
     without its symmetry where an orbit loses it.
     """
-    found: list[Both] = []
+    found: list[BothWays] = []
     for value in map(float, np.linspace(*bounds, values)):
         for orbit in _orbits(case.with_value(parameter, value)):
             there = (q for both in found for q in orbits_at(both, value))
             if any(are_one(orbit, other) for other in there):
                 continue
-            both = Both(index_of(case, parameter))
+            both = BothWays(index_of(case, parameter))
             with suppress(ArithmeticError):  # it is not isolated
                 go(both, start_of(orbit, both.index, bounds), seen=seen)
                 found.append(both)
@@ -243,18 +243,18 @@ def every_way(
         yield from _doubled(both, beside, seen)
 
 
-def _doubled(found: Both, kinds: Container[str], seen: Seen) -> Iterator[Both]:
+def _doubled(found: BothWays, kinds: Container[str], seen: Seen) -> Iterator[BothWays]:
     """Yield the branches at the flips of another, and where symmetry is lost on it."""
     met: list[float] = []
     for event in found.events():
-        here = event.kind in kinds and event.gauge >= 0
+        here = event.kind in kinds and event.monitor >= 0
         if not here or any(abs(end - event.value) <= NEAR * abs(end) for end in met):
             continue
         start = None
         with suppress(ArithmeticError, ParameterError, UnknownScene):
             start = doubled(event)
         if start is not None:
-            other = Both(found.index, start[0].course)
+            other = BothWays(found.index, start[0].course)
             go(other, start, seen=seen)
             met += [each.value for each in other.events()]
             yield other
@@ -306,7 +306,7 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
     raise NoOrbit(words, False, tuple(tried))
 
 
-def _result(case: Case, parameter: str, found: Both, how: Expansion) -> Branch:
+def _result(case: Case, parameter: str, found: BothWays, how: Expansion) -> Branch:
     """Return what is found of a branch as users hold it."""
     happened = found.events()
     events = tuple(map(event_of, happened))

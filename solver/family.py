@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
-from .branch.branch import Both, go, orbits_at, start_of
+from .branch.branch import BothWays, go, orbits_at, start_of
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
@@ -133,7 +133,7 @@ class _Rows:
     functions: int | None
     cases: tuple[Case, ...]
     done: list[FamilyRow] = field(default_factory=list)
-    branches: list[Both] = field(default_factory=list)
+    branches: list[BothWays] = field(default_factory=list)
 
     @property
     def family(self) -> Family:
@@ -172,7 +172,7 @@ class _Rows:
         bounds = min(values), max(values)
         if bounds[0] == bounds[1]:
             return
-        found = Both(index_of(exact.case, self.parameter))
+        found = BothWays(index_of(exact.case, self.parameter))
         try:
             start = start_of(exact, found.index, bounds)
         except ArithmeticError:  # it is not isolated

@@ -1,4 +1,4 @@
-"""The equations of a cell along one of its parameters: arrays whose entries are series."""
+"""The equations of a cell along a parameter: arrays whose entries are Chebyshev series."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -10,23 +10,23 @@ from ..arrays import Integers, Matrix, Vector
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
 
-#: Terms of a series; those that are rounding, as a part of the largest.
+#: Terms of a series; size of terms that are rounding, relative to the largest.
 TERMS, ROUNDING = 24, 1e-15
 
-#: Least size of a state or a memory, as a part of the largest of them.
+#: Least scale of a state or a memory, relative to the largest.
 SMALL = 0.01
 
-#: Coordinates of values that stand for all of an interval.
+#: Coordinates at which a property is checked that is to hold on the whole interval.
 SOME = -1.0, -0.4271, 0.3183, 1.0
 
 #: Length of the shortest interval on which series are resolved, as a part of its values.
 SHORTEST = 1e-10
 
-#: What two values differ by that are the same in other units, as a part of them.
+#: Relative difference of equal values that were computed in different units.
 EQUAL = 16 * float(np.finfo(float).eps)
 
 
-#: What gives the cell at a value of the parameter, and the forms that are watched there.
+#: Returns the cell and the watched forms at a value of the parameter.
 Content = Callable[[float], tuple[Cell, list[Form]]]
 
 
@@ -36,20 +36,20 @@ class Along(NamedTuple):
     Parameters
     ----------
     kinds, setting : ndarray
-        See `scenes.arrays.Arrays`; of a body zeros, and how many numbers a state has.
+        See `scenes.arrays.Arrays`; of a body zeros, and the size of its state.
     series : ndarray, shape (entries, TERMS)
-        Chebyshev coefficients of its other entries, and of the forms of a table.
+        Chebyshev coefficients of the other entries, and of the watched forms.
     divided : ndarray of int, shape (P,)
-        How often the row of the event of each phase is divided by its duration: twice, where
-        a phase begins without what the event is the second integral of, or three times.
+        By which power of its duration the event row of each phase is divided, 0 to 3; see
+        `extended.divided_event`.
     weights : ndarray, shape (unknowns + 1,)
-        1 over the size of each unknown, the parameter the last.
+        1 over the scale of each unknown, and of ``q``.
     before : int
-        Unknowns that stand before the durations.
+        The number of unknowns before the durations.
     sign : float
-        What the next cell is multiplied by.
+        1, or -1 where the next cell is the mirror image.
     known : tuple
-        What else is known; of one mass nothing, of a body see `bodies.arrays.Known`.
+        Of a body `bodies.arrays.Known`; else empty.
     """
 
     kinds: Integers
@@ -64,7 +64,7 @@ class Along(NamedTuple):
 
 @dataclass(frozen=True)
 class Interval:
-    """Values of a parameter, without units, of which ``q`` from -1 to 1 is the coordinate."""
+    """An interval of a parameter, without units, with the coordinate ``q`` in [-1, 1]."""
 
     low: float
     high: float
@@ -78,7 +78,7 @@ class Interval:
         return ((1 - q) * self.low + (1 + q) * self.high) / 2
 
     def some(self) -> list[float]:
-        """Return its ends, and values between that nothing sets apart."""
+        """Return its ends and some values between, none of them special."""
         return [self.value(q) for q in SOME]
 
     def halves_about(self, value: float) -> "Iterator[Interval]":
@@ -143,7 +143,7 @@ def _series(
 
 
 def of_blocks(sizes: Vector, blocks: Integers) -> Vector:
-    """Return the largest size in the block of each entry."""
+    """Return for each entry the largest size in its block."""
     largest = np.zeros(blocks.max() + 1)
     np.maximum.at(largest, blocks, sizes)
     found: Vector = largest[blocks]
@@ -151,7 +151,7 @@ def of_blocks(sizes: Vector, blocks: Integers) -> Vector:
 
 
 def chebyshev(count: int) -> tuple[Vector, Matrix]:
-    """Return the nodes of Chebyshev series of so many terms, and what makes values these."""
+    """Return Chebyshev nodes, and the matrix from values there to coefficients."""
     k = 2 * np.arange(count) + 1  # in whole numbers: the waves keep their digits
     table = np.cos(np.pi / (2 * count) * (np.outer(np.arange(count), k) % (4 * count)))
     table[0] /= 2
@@ -159,7 +159,7 @@ def chebyshev(count: int) -> tuple[Vector, Matrix]:
 
 
 def weights(cell: Cell, z: Vector) -> Vector:
-    """Return 1 over the size of each unknown of a cell, and 1 for the coordinate ``q``."""
+    """Return 1 over the scale of each unknown of a cell, and 1 for ``q``."""
     count, more = len(cell.phases), len(cell.memory)
     states, memory = z[: 2 * count], z[2 * count : 2 * count + more]
     total = float(z[2 * count + more :][:count].sum())
@@ -174,10 +174,10 @@ def weights(cell: Cell, z: Vector) -> Vector:
 
 
 def divided_phases(cell: Cell, durations: Vector) -> Integers:
-    """Return of which phases the row of the event is divided by the duration: 1, else 0.
+    """Return 1 for each phase whose event row is divided by its duration, else 0.
 
-    Those that begin on the surface where they end; but of a cell of such phases alone the
-    longest keeps its row, or nothing says that it ends on the surface.
+    These begin on the surface where they end.  If all phases of a cell do, the longest keeps
+    its row: else no equation puts the orbit on the surface.
     """
     count = len(cell.phases)
     found = np.array([returns(cell, p) for p in range(count)], dtype=np.int64)
@@ -187,7 +187,7 @@ def divided_phases(cell: Cell, durations: Vector) -> Integers:
 
 
 def returns(cell: Cell, p: int) -> bool:
-    """Whether a phase begins on the surface where it ends, the form as it was at the switch."""
+    """Whether a phase begins on the surface where it ends, without a leap of the form."""
     before, phase = earlier(cell, p, 1), cell.phases[p]
     width = phase.width
     remembers = any(phase.event[width:]) or any(before.event[width:])
@@ -202,10 +202,10 @@ def begins_still(cell: Cell, p: int) -> bool:
 
 
 def begins_slowly(cell: Cell, p: int) -> bool:
-    """Whether a phase begins with no speed and no acceleration, and is to come back to that.
+    """Whether a phase begins without speed and acceleration, and ends where that is so again.
 
-    It begins where a rest ends by what it takes to hold the mass: the force of the phase, which
-    changes with the forcing.  It ends without speed, or where the mass rested.
+    It follows a rest that ended because the holding force, that of the phase, reached a limit.
+    It ends without speed, or where the mass rested.
     """
     before, phase = earlier(cell, p, 1), cell.phases[p]
     at_rest = before.held and before.speed == before.d == 0
@@ -222,7 +222,7 @@ def begins_slowly(cell: Cell, p: int) -> bool:
 
 
 def begins_as_set(cell: Cell, p: int) -> bool:
-    """Whether a phase begins without speed where it ends, by the memory that it sets itself."""
+    """Whether a phase begins without speed on the surface that the memory it sets defines."""
     before, event = earlier(cell, p, 1), cell.phases[p].event
     if not event[0] or any(event[1:3]) or before.event[0] or any(before.event[2:]):
         return False
@@ -247,6 +247,6 @@ def of_velocity(form: Form) -> bool:
 
 
 def earlier(cell: Cell, p: int, by: int) -> Phase:
-    """Return a phase before another as that has it, if it is in the half period before."""
+    """Return the phase `by` before phase p, mirrored if it is in the half period before."""
     found = cell.phases[(p - by) % len(cell.phases)]
     return mirror(found) if p < by and cell.sign < 0 else found

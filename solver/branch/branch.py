@@ -1,4 +1,4 @@
-"""A branch of orbits along a parameter, through all orders of phases, both ways."""
+"""A branch of orbits along a parameter, in both directions, through all orders of phases."""
 
 from bisect import bisect
 from collections.abc import Callable, Iterator
@@ -21,34 +21,34 @@ from .orders.change import beyond
 from .piece import NoStepError, Piece, Place
 from .walk import FLIP, FOLD, MEETS, NEUTRAL, OWN
 
-#: Most orders of phases of a branch, each way.
+#: Most segments in each direction.
 MOST_SEGMENTS = 60
 
-#: Step to an orbit beside one to which something happens.
+#: Step from an orbit at an event to one beside it.
 ASIDE = 1e-4
 
-#: Orbits on the way back to an event, about as many as are looked for; what its parameter may
-#: be apart, found so, as a part of the range.
+#: Most orbits followed back to an event, about; how near to it they must arrive, as a part of
+#: the range.
 FEW, SAME = 16, 1e-9
 
-#: Why a branch ends where nothing did before it was followed to its end.
+#: Why a branch ends where it was interrupted.
 STOPPED = "it was followed no further"
 
 Bounds = tuple[float, float]
 
 
 @dataclass(eq=False)
-class Both:
-    """A branch from one orbit on, both ways: backward and forward.
+class BothWays:
+    """A branch from one orbit on, in both directions.
 
     Parameters
     ----------
     index : int
         Of the parameter.
     course : Course or None
-        The order of phases of its first orbit, if that is not one of the case.
+        The order of phases of its first orbit, if the case has none of its own.
     back, forth : list of Segment
-        In turn, from that orbit on.
+        Backward and forward, in order from that orbit.
     """
 
     index: int
@@ -57,21 +57,21 @@ class Both:
     forth: list[Segment] = field(default_factory=list)
 
     def points(self) -> list[tuple[Piece, Place]]:
-        """Return its orbits, from the one end to the other."""
+        """Return its orbits, from end to end."""
         back, forth = (
             [q for each in way for q in each.points] for way in (self.back, self.forth)
         )
         return [*reversed(back[1:]), *forth] if forth else [*reversed(back)]
 
     def events(self) -> list[Found]:
-        """Return what happens on it, in the same turn."""
+        """Return its events, in the same order."""
         back, forth = (
             [q for each in way for q in each.events] for way in (self.back, self.forth)
         )
         return [*reversed(back), *forth]
 
     def why(self) -> tuple[str, str]:
-        """Return why it ends, at its start and at its end; a closed one has no way forth."""
+        """Return why it ends, at its start and at its end."""
         ends = [way[-1].why if way else "" for way in (self.back, self.forth)]
         back, forth = (CLOSED, CLOSED) if CLOSED in ends[:1] else ends
         return back or STOPPED, forth or STOPPED
@@ -89,15 +89,15 @@ def course_of(case: Case) -> Course:
 
 
 def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Place]:
-    """Return an exact orbit as a place on a branch, the parameter growing.
+    """Return an exact orbit as a place on a branch, its tangent towards larger parameters.
 
-    Of an orbit of which one half is the image of the other it is half of it: else two phases
-    would vanish together, and where symmetry is lost its equations would be singular.
+    Of a symmetric orbit only a half is followed: else two phases would vanish together, and the
+    equations would be singular where symmetry is lost.
 
     Raises
     ------
     NoStepError
-        If it is not on one: its equations are singular.
+        If its equations are singular.
     """
     case, course = orbit.case, course_of(orbit.case)
     own = np.append(course.unknowns(orbit), case.numbers[index])
@@ -112,21 +112,21 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
     if case.values[piece.name] in bounds:  # there exactly
         y[-1] = np.copysign(1.0, y[-1])
     try:
-        place = piece.place(piece.led(y, border), border)
+        place = piece.place(piece.corrected(y, border), border)
     except NoStepError:  # the branch may turn there
-        border = piece.free(y)[-1]
-        place = piece.place(piece.led(y, border), border)
-    piece.place(place.y, -place.direction)  # so it can be followed both ways
+        border = piece.singular_vectors(y)[-1]
+        place = piece.place(piece.corrected(y, border), border)
+    piece.place(place.y, -place.tangent)  # so it can be followed both ways
     return piece, place
 
 
 def go(
-    found: Both, start: tuple[Piece, Place], part: float = PART,
+    found: BothWays, start: tuple[Piece, Place], part: float = PART,
     seen: Callable[[float], None] = lambda value: None,
 ) -> None:  # fmt: skip
-    """Follow a branch from an orbit, backward and then forward, and add to what is found."""
+    """Follow a branch from an orbit, backward, then forward; add the segments to `found`."""
     piece, place = aside(*start)
-    back = piece.place(place.y, -place.direction)
+    back = piece.place(place.y, -place.tangent)
     for way, first in ((found.back, back), (found.forth, place)):
         there: tuple[Piece, Place] | None = (piece, first)
         end: Found | None = None
@@ -145,12 +145,12 @@ def go(
 
 
 def aside(piece: Piece, place: Place) -> tuple[Piece, Place]:
-    """Return an orbit to begin with: another one beside it, where something happens to it.
+    """Return an orbit to begin with: one beside the given one if that is at an event.
 
-    What vanishes where a branch begins changes its sign on neither side, and of forms that
-    are zero there by chance other derivatives are looked at.
+    A monitor that is zero at the first orbit changes its sign in no step, and the table would
+    take derivatives that vanish there by chance for identically zero.
     """
-    orbit = place.gauges[len(place.gauges) - OWN :]
+    orbit = place.monitors[len(place.monitors) - OWN :]
     special = (np.abs(orbit[[FOLD, FLIP, MEETS]]) <= NEUTRAL).any()
     for side in (ASIDE, -ASIDE):
         with suppress(ArithmeticError):
@@ -166,16 +166,16 @@ def aside(piece: Piece, place: Place) -> tuple[Piece, Place]:
 
 
 def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segment:
-    """Return a segment that begins with an orbit, and all that is between an event and it.
+    """Return a segment from an event on: the orbits from it to the first one found beyond.
 
-    Near the end of another order multipliers change without bounds: what happens there is found
-    on the way back to the event.
+    These are found by following the branch back to the event, where the multipliers may change
+    without bounds.
     """
     piece, place = there
     segment = Segment([there])
     if since is None:
         return segment
-    first = piece, piece.place(place.y, -place.direction)
+    first = piece, piece.place(place.y, -place.tangent)
     back = Segment([first])
     follow(back, first, part, most=FEW)
     near = SAME * (piece.bounds[1] - piece.bounds[0])
@@ -186,10 +186,10 @@ def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segme
 
 
 def cut_where_violated(segment: Segment) -> None:
-    """Cut a segment where the solver finds no orbit any more, by what is not watched.
+    """Cut a segment where its orbits violate a condition that is not monitored.
 
-    It asks more than steps do: that a phase would not have ended sooner, and that another does
-    not follow.  A few orbits are asked for; between one that is and one that is not, by halves.
+    Such conditions are that a phase does not end sooner, and that no other phase follows.  A
+    few orbits are checked, and the first violation between two of them is found by bisection.
     """
     points, last = segment.points, 0
     count = len(points) - (segment.end is not None)  # at its end an orbit is none any more
@@ -210,15 +210,15 @@ def cut_where_violated(segment: Segment) -> None:
 
 
 def _violations(piece: Piece, place: Place) -> tuple[str, ...]:
-    """Return why an orbit is none, in words; nothing where that cannot be asked."""
+    """Return what an orbit violates, in words; nothing where it does not converge."""
     orbit = piece.orbit(place.y)
     return () if orbit is None or not orbit.outcome.converged else orbit.violations
 
 
-def orbits_at(found: Both, value: float) -> Iterator[ExactOrbit]:
-    """Yield the orbits of a branch at a value of its parameter, in turn.
+def orbits_at(found: BothWays, value: float) -> Iterator[ExactOrbit]:
+    """Yield the orbits of a branch at a value of its parameter, in order.
 
-    Motions that nothing ends are left out.
+    Motions of one phase that never ends are left out.
     """
     points = found.points()
     steps = list(pairwise(points)) or [(point, point) for point in points]
@@ -234,7 +234,7 @@ def orbits_at(found: Both, value: float) -> Iterator[ExactOrbit]:
 
 
 def _exactly(piece: Piece, y: Vector, value: float) -> ExactOrbit | None:
-    """Return the orbit at a value of the parameter from one close by, if it is one."""
+    """Return the orbit at a value of the parameter from one close by, if it is admissible."""
     if piece.course.endless:
         return None
     case = piece.case.with_value(piece.name, value)

@@ -1,4 +1,4 @@
-"""The equations of an order of phases along a branch, and what is watched there."""
+"""The equations of an order of phases along a branch, and the forms that are watched."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -38,24 +38,24 @@ from .orders.itinerary import Itinerary
 from .walk import FAMILY
 from .watch import AT_SWITCH, BEHIND, START, WITHIN
 
-#: What is rounding of a derivative where a phase begins, as a part of the largest.
+#: Size of a derivative at the start of a phase that is rounding, relative to the largest.
 ROUNDING = 1e-8
 
-#: Derivatives of a form that are looked at where a phase begins.
+#: How many derivatives of a form are examined at the start of a phase.
 HIGHEST = 4
 
 
 class Row(NamedTuple):
-    """One form that is watched: where, which of how many, and what it belongs to.
+    """One watched form: where it is evaluated, and to what it belongs.
 
     Parameters
     ----------
     phase, kind : int
         As in a table of `watch`.
     number : int
-        Of the demand of the phase, or of that of the node.
+        Of the demand, of the phase or of the node.
     node : int
-        The phase that could hold the motion behind a switch; -1 where it is no such form.
+        For `BEHIND`, the phase that could hold the motion there; else -1.
     """
 
     phase: int
@@ -65,16 +65,16 @@ class Row(NamedTuple):
 
 
 class Course(Itinerary):
-    """An order of phases as branches follow it: its equations, and what is watched."""
+    """An order of phases as branches follow it: its equations and watched forms."""
 
-    #: Most phases of an order that is followed: near chatter there are ever more.
+    #: Most phases of an order that is followed; near chatter their number has no bound.
     most: ClassVar[int] = 40
 
-    #: How the functions of a branch are made.
+    #: The compiled or plain functions of a branch.
     family: ClassVar[Family] = FAMILY
 
     def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
-        """Return what is watched, as it is at an orbit of which nothing is special."""
+        """Return the watched forms, by an orbit that is not at an event."""
         cell, found = self.cell(numbers), []
         machine = self.machine(numbers)
         for p, phase in enumerate(cell.phases):
@@ -88,7 +88,7 @@ class Course(Itinerary):
         return found
 
     def velocity_behind(self, cell: Cell, z: Vector, p: int) -> float | None:
-        """Return that behind a phase, where another than the next could hold it; else None."""
+        """Return the velocity behind phase p, where a held phase could follow; else None."""
         q = (p + 1) % len(cell.phases)
         if cell.phases[q].held:
             return None
@@ -96,15 +96,15 @@ class Course(Itinerary):
         return v * (cell.sign if q == 0 else 1)
 
     def word(self, row: Row, column: int, begins: int) -> str:
-        """Return what it is called where a form that is watched vanishes.
+        """Return the kind of the event at which a watched form vanishes.
 
-        A rest begins or ends: sticking.  Else a surface is touched: grazing.
+        "sticking" where a rest begins or ends, else "grazing".
 
         column : int
             Of `watch`: where in the phase.
         begins : int
-            The first derivative of the form that is not zero by itself where the phase begins:
-            above the first, the phase begins without speed.
+            Order of the first derivative of the form that is not identically zero at the start:
+            above 1, the phase begins without speed.
         """
         step = self.order.steps[row.phase]
         held = self.base.kinds[step.phase][1]
@@ -117,13 +117,13 @@ class Course(Itinerary):
         return of_velocity(self._generic.phases[row.phase].demands[row.number][1])
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
-        """Return the forms of rows, for parameters without units, as `watch` takes them."""
+        """Return the forms of rows as `watch` takes them; `numbers` are without units."""
         return self.demanded(numbers, rows, cell)
 
     def demanded(
         self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell
     ) -> list[Form]:
-        """Return the forms of rows as cells have them; see `before`."""
+        """Return the forms of rows as a cell has them; see `before`."""
         declared = self.declares(numbers)
         found: list[Form] = []
         for row in rows:
@@ -138,7 +138,7 @@ class Course(Itinerary):
         return found
 
     def before(self, cell: Cell, node: Phase, row: Row) -> Form:
-        """Return what a phase that could hold the motion behind a switch demands.
+        """Return a demand of the phase that could hold the motion behind a switch.
 
         As a form of the state before the switch.
         """
@@ -150,16 +150,16 @@ class Course(Itinerary):
     def along(
         self, content: Content, value: float, interval: Interval, z: Vector
     ) -> tuple[Along, Interval]:
-        """Return its equations on an interval of a parameter, or on a part of it.
+        """Return the equations on an interval of a parameter, or on a part of it.
 
         Parameters
         ----------
         content : callable
-            The cell at a value, and the forms that are watched there.
+            Returns the cell and the watched forms at a value.
         value : float
-            About which the interval is cut where its series do not converge.
+            The interval is halved around it until the series converge.
         z : ndarray
-            The unknowns there: their sizes.
+            The unknowns at that value, for their scales.
         """
         cell, forms = content(value)
         blocks = self.blocks(cell, forms)
@@ -176,19 +176,19 @@ class Course(Itinerary):
         return self.framed(cell, z, series, others), interval
 
     def entries(self, cell: Cell, forms: list[Form]) -> Vector:
-        """Return all entries of the arrays of a cell that may vary, the forms behind them."""
+        """Return all entries of the arrays of a cell that may vary, followed by the forms."""
         found, rows = arrays(cell), np.array(forms, dtype=float)
         parts = (found.numbers, found.memory, found.cell, rows)
         return np.concatenate([part.ravel() for part in parts])
 
     def blocks(self, cell: Cell, forms: list[Form]) -> Integers:
-        """Return the blocks of these entries, each its own; see `along.resolved`."""
+        """Return the number of the block of each entry, here its own; see `along.resolved`."""
         return np.arange(len(self.entries(cell, forms)))
 
     def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
-        """Return the arrays of a cell by their series.
+        """Return the equations of a cell from their series.
 
-        `z` are unknowns of the usual sizes, `others` the cell at `Interval.some`.
+        `z` are unknowns of typical size, `others` the cells at `Interval.some`.
         """
         found, before = arrays(cell), 2 * len(cell.phases) + len(cell.memory)
         divided, cells = divided_phases(cell, z[before:]), (cell, *others)
@@ -203,17 +203,17 @@ class Course(Itinerary):
         return Along(*given, before, float(cell.sign))
 
     def by(self, name: str, *arguments: Any) -> Any:
-        """Return what a function of a branch makes of arguments; see `Family.call`."""
+        """Call a function of `walk` and what it is linked with, by name; see `Family.call`."""
         with np.errstate(all="ignore"):
             return self.family.call(walk.__name__, name, *arguments)
 
     @property
     def mapped(self) -> int:
-        """How many numbers of a state are perturbed in the maps kept with an orbit."""
+        """The size of the maps of perturbations that are kept with each orbit."""
         return 2 + len(self._generic.memory)
 
     def perturbed(self, along: Along) -> int:
-        """Return how many numbers of a state are perturbed in any map of its cell."""
+        """Return the size of the map of perturbations over its cell."""
         return self.mapped
 
     def unknowns(self, orbit: ExactOrbit) -> Vector:
@@ -221,7 +221,7 @@ class Course(Itinerary):
         return orbit.outcome.unknowns
 
     def sizes(self, cell: Cell, case: Case) -> Vector:
-        """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
+        """Return the SI value of 1 of each unknown of a cell in the units of a case."""
         units = case.units
         states = [units.of_motion(j) for _ in cell.phases for j in (0, 1)]
         memory = [units.of_motion(q.power) for q in cell.memory]
@@ -229,18 +229,18 @@ class Course(Itinerary):
         return np.array([*states, *memory, *times])
 
     def states(self, case: Any, y: Vector) -> list[tuple[float, ...]]:
-        """Return the states in which the phases begin, at the equations of an orbit."""
+        """Return the states in which the phases of an orbit begin; `case` are its equations."""
         return [(float(y[2 * p]), float(y[2 * p + 1])) for p in range(len(self.order.steps))]
 
     def halves(self, y: Vector) -> Vector:
-        """Return the states among the unknowns, of both halves of the phases."""
+        """Return those unknowns that are states."""
         return y[: 2 * len(self.order.steps)]
 
     def gathered(
         self, numbers: tuple[float, ...], states: Sequence[Sequence[float]], durations: Vector,
         angle: float,
     ) -> Vector:  # fmt: skip
-        """Return the unknowns of an orbit from its parts; memories are set by the states."""
+        """Return the unknowns of an orbit from states, durations and angle; memories follow."""
         cell, memory = self.cell(numbers), []
         angles_ = angle + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
         for each in cell.memory:
@@ -251,15 +251,15 @@ class Course(Itinerary):
         return np.array([*chain.from_iterable(states), *memory, *durations, *turn])
 
     def orbit(self, case: Case, z: Vector) -> ExactOrbit:
-        """Return where Newton's method leads from unknowns in the units of a case."""
+        """Return the exact orbit that Newton's method finds from unknowns of a case."""
         return of_unknowns(self.case(case), z)
 
     def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
-        """Return what a cell makes of perturbations, and its size: as kept with its orbit."""
+        """Return the derivative of the map over a cell and its size, kept with the orbit."""
         return kept[0], kept[1]
 
     def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
-        """Return the state, displacement and velocity, at a time from the beginning of a phase.
+        """Return displacement and velocity at time t of phase p.
 
         Parameters
         ----------
@@ -280,22 +280,22 @@ class Course(Itinerary):
         return float(found[0]), float(found[1])
 
     def moving_at(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
-        """Return displacement and velocity there; see `state`."""
+        """Return displacement and velocity at time t of phase p; see `state`."""
         return self.state(case, z, p, t)
 
     def case_of(self, cell: Cell, forms: list[Form]) -> Any:
-        """Return the equations of a cell, and its forms, as `extended.case_at` does."""
+        """Return the arrays of a cell followed by its forms, as `extended.case_at` does."""
         return *arrays(cell), np.array(forms, dtype=float)
 
     def terms(self, case: Any, z: Vector, p: int, i: int) -> Vector:
-        """Return the Taylor coefficients of form `i` where a phase begins."""
+        """Return the Taylor coefficients of form `i` at the start of phase p."""
         angle, form = angles(case, z, places(case))[p], watch.form_of(case, z, i)
         equation, state = phase_numbers(case, z, p), (z[2 * p], z[2 * p + 1])
         found: Vector = watch.taylor(equation, case[4][1], angle, *state, form)
         return found
 
     def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
-        """Return the table of rows that `watch` takes; `z` is an orbit that is not special."""
+        """Return the table of rows for `watch`; `z` is an orbit that is not at an event."""
         cell, count = self.cell(numbers), len(self.order.steps)
         own = self.demanded(numbers, rows, cell)
         case = self.case_of(cell, self.forms(numbers, rows, cell))
@@ -315,7 +315,7 @@ class Course(Itinerary):
 
 
 def _may_hold(nodes: Sequence[Node], ended: Node, h: int, v: float) -> bool:
-    """Whether a phase that holds the velocity could take every state behind an event."""
+    """Whether node h, which holds the velocity at v, could follow any state behind an event."""
     node, wall = nodes[h], walls(nodes)[h]
     speed = node.phase.speed
     if not node.phase.held or abs(v - speed) > ROUNDING * max(1.0, abs(speed)):

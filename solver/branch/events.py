@@ -1,41 +1,41 @@
-"""What happens in a step of a branch, in turn, up to where the order of the phases changes."""
+"""The events in a step of a branch, in order, up to the first change of the order of phases."""
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 
 import numpy as np
 
-from .locate import Found, located, through, turning
+from .locate import Found, by_cubic, located, torus_crossings
 from .piece import NoStepError, Piece, Place
 from .walk import OUTSIDE, OWN, happens
 from .watch import END, LEAST, START
 
-#: What may be apart of events that are one, as a part of where they are.
+#: Relative distance of two events that are one.
 SAME = 1e-9
 
-#: Length of a step whose ends give what is between them to rounding, by a cubic.
+#: Length of a step that is short enough for a cubic to be exact to rounding.
 CLOSE = 1e-3
 
-#: Parts of a step to a change of the order up to which the orbit itself is looked at, in turn:
-#: behind it multipliers may come back from infinity, and at it the equations may be singular.
+#: Parts of the way to a change of the order up to which multipliers are monitored, tried in
+#: turn: they may be infinite at the change, and the equations singular.
 BEFORE = 1 - 1e-6, 1 - 1e-3, 0.5
 
-#: What of a form stands for all that vanishes at one place, in turn; the end of a phase first.
-#: A least value that comes in at the beginning or the end vanishes there as well.
+#: Which of several monitors that vanish together stands for all: first a duration, then the
+#: value at the end.  (A minimum that enters at the start or the end vanishes there as well.)
 TURNS = None, END, START, LEAST
 
-#: Where the parameter leaves its interval: no event.
+#: The kind of where the parameter leaves its interval, which is no event.
 EDGE = "edge"
 
-#: What is watched there, without units, that is rounding of a sum of terms.
+#: Rounding of monitors there, without units.
 AT_EDGE = 1e-12
 
 
 def in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
-    """Return what happens in a step in turn, each once, up to where the order changes.
+    """Return the events of a step in order, each once, up to the first change of the order.
 
-    Where several things are watched that vanish at one place, one of them stands for all: a
-    change of the order before others, of those the end of a phase.
+    Where several monitors vanish at one place, one event stands for all: a change of the order
+    of phases before others, and among these that of `TURNS`.
     """
     every = sorted(found, key=lambda each: each[0])
     events = [(at, event) for at, event in every if event is not None]
@@ -57,7 +57,7 @@ def in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
 def events_in(
     piece: Piece, before: Place, after: Place, length: float
 ) -> list[tuple[float, Found | None]]:
-    """Return what happens in a step, with where in it; None of what is not seen where it is.
+    """Return the events of a step, each with where in it; None for one that cannot be passed.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def events_in(
     Raises
     ------
     NoStepError
-        If something is not located.
+        If an event is not located.
     """
     found: list[tuple[float, Found | None]] = []
     edge = _edge(piece, before, after)
@@ -79,20 +79,20 @@ def events_in(
         length, after = edge[0], edge[1].place
         if length <= 0:  # there the step begins
             return found
-    start, end = before.gauges, after.gauges
+    start, end = before.monitors, after.monitors
     watched = len(start) - OWN
     found += _watched(piece, before, after, length)
     changes = [at for at, event in found if event is not None and event.changes]
     if changes:
         length, after = _before(piece, before, min(changes, key=abs))
-        end = after.gauges
+        end = after.monitors
     own = [i for i in range(watched, len(start)) if happens(start[i], end[i], i - watched)]
     real: list[tuple[float, Found | None]] = []
     for i in own:
         if i - watched != OUTSIDE:
             real += located(piece, before, after, length, i)
     if own:
-        found += turning(piece, before, after, length, [at for at, _ in real])
+        found += torus_crossings(piece, before, after, length, [at for at, _ in real])
     kept = [each for each in found + real if each[1] is None or _is_within(each[1])]
     if len(kept) < len(found + real):  # the step turns back beyond the range
         raise NoStepError
@@ -100,22 +100,22 @@ def events_in(
 
 
 def _is_within(event: Found) -> bool:
-    """Whether something happens within the range of the parameter, which a step may leave."""
+    """Whether an event is within the range of the parameter, which a step may leave."""
     return abs(float(event.place.y[-1])) <= 1 + SAME
 
 
 def _watched(
     piece: Piece, before: Place, after: Place, length: float
 ) -> Iterator[tuple[float, Found | None]]:
-    """Yield where durations vanish in a step, and then forms.
+    """Yield the events of a step at which durations vanish, and then those of forms.
 
-    Where two phases vanish together no orbit is isolated, and the equations are singular: there
-    nothing is located, and what demands these phases meet no more is the same event.
+    Where two phases vanish together, the equations are singular and the event is found by
+    `by_cubic`.  The demands that these phases violate there are the same event.
     """
     forms, together = 3 * len(piece.table), False
-    watched = len(before.gauges) - OWN
+    watched = len(before.monitors) - OWN
     for i in (*range(forms, watched), *range(forms)):
-        if not happens(before.gauges[i], after.gauges[i], i - watched):
+        if not happens(before.monitors[i], after.monitors[i], i - watched):
             continue
         try:
             yield from located(piece, before, after, length, i)
@@ -124,16 +124,16 @@ def _watched(
                 raise
             if i >= forms:
                 together = True
-                yield through(piece, before, after, length, i - forms)
+                yield by_cubic(piece, before, after, length, i - forms)
 
 
 def _before(piece: Piece, before: Place, at: float) -> tuple[float, Place]:
-    """Return how far in a step an orbit can be looked at before a change, and that orbit.
+    """Return how far in a step there is a regular orbit before a change, and that orbit.
 
     Raises
     ------
     NoStepError
-        If none can.
+        If there is none.
     """
     for part in BEFORE:
         with suppress(NoStepError):
@@ -142,7 +142,7 @@ def _before(piece: Piece, before: Place, at: float) -> tuple[float, Place]:
 
 
 def _edge(piece: Piece, before: Place, after: Place) -> tuple[float, Found] | None:
-    """Return where the parameter leaves its interval in a step; None if it does not."""
+    """Return where the parameter leaves its interval in a step; None if it stays inside."""
     edge = float(after.y[-1])
     if abs(edge) <= 1:
         return None
@@ -150,8 +150,8 @@ def _edge(piece: Piece, before: Place, after: Place) -> tuple[float, Found] | No
     part = (side - float(before.y[-1])) / (edge - float(before.y[-1]))
     y = before.y + part * (after.y - before.y)
     y[-1] = side
-    there = piece.led(y, np.append(np.zeros(len(y) - 1), 1.0))
-    at = float(before.direction @ ((there - before.y) * piece.along.weights))
-    place = piece.place(there, before.direction)
-    place.gauges[np.abs(place.gauges) <= AT_EDGE] = 0.0  # nothing happens there by rounding
+    there = piece.corrected(y, np.append(np.zeros(len(y) - 1), 1.0))
+    at = float(before.tangent @ ((there - before.y) * piece.along.weights))
+    place = piece.place(there, before.tangent)
+    place.monitors[np.abs(place.monitors) <= AT_EDGE] = 0.0  # nothing happens there by rounding
     return at, Found(EDGE, None, None, piece, place)

@@ -1,13 +1,13 @@
-"""The exact equations of a cell with a parameter as one more unknown, and a step along them.
+"""The exact equations of a cell with a parameter as one more unknown, and their tangent.
 
-The unknowns are those of `flow.exact_system`, and ``q``: the parameter on an interval, from -1
-to 1.  What the equations are made of is a series in ``q`` (see `along`).  Newton's method on
-them and the arclength, and the tangent, are in coordinates of size 1: each unknown times its
+The unknowns are those of `flow.exact_system`, and ``q`` in [-1, 1], the coordinate of the
+parameter on an interval.  The coefficients of the equations are Chebyshev series in ``q`` (see
+`along`).  Newton's method, arclength and tangent use scaled coordinates: each unknown times its
 weight.
 
-Of a phase that begins on the surface where it ends, the row of the event vanishes with the
-duration: what the event's form gains is divided by it; twice, where the phase begins without
-speed (see `Course.framed`).
+Where a phase begins on the surface at which it ends, the row of its event vanishes with its
+duration.  The change of the event's form over the phase is then divided by the duration; twice,
+where the phase begins without speed (see `Course.framed`).
 
 Plain Python, or compiled by numba with the exact equations.
 """
@@ -37,23 +37,23 @@ from ..rows.joints import (
 #: Step of the central difference by the parameter: its error is the square.
 DIFFERENCE = 2.0**-17
 
-#: A duration that is nothing, and its square is not; the least for derivatives, whose terms
-#: would cancel.
+#: Least duration in a residual, whose square is not 0 in float64; least one in derivatives,
+#: whose terms would cancel.
 AN_INSTANT, A_MOMENT = 1e-100, 1e-8
 
-#: Most corrections of a step, the last one that is small, and how fast they must fall.
+#: Most corrections of a step; size of the last one; most of the ratio of two corrections.
 CORRECTIONS, SMALL, FALL = 8, 1e-9, 0.5
 
-#: A first correction up to which the second may be as large: both are rounding.
+#: Size of a first correction that may be rounding, so that the second is as large.
 BARELY = 1e-12
 
-#: A correction that is no larger, and a part of the one before that is no larger: the next one
-#: is by the same derivatives, and shrinks as much.
+#: If a correction is at most `NEAR`, and at most `FAST_FALL` times the one before, the next is
+#: by the same Jacobian.
 NEAR, FAST_FALL = 1e-4, 0.1
 
 
-def waves_at(q: float, count: int) -> Vector:
-    """Return the first Chebyshev polynomials, two or more."""
+def chebyshev_at(q: float, count: int) -> Vector:
+    """Return the values of the first Chebyshev polynomials, two or more, at q."""
     waves = np.ones(count)
     waves[1] = q
     for j in range(2, count):
@@ -62,13 +62,13 @@ def waves_at(q: float, count: int) -> Vector:
 
 
 def series_at(series: Matrix, q: float) -> Vector:
-    """Return the sums of Chebyshev series, a row each."""
-    found: Vector = np.dot(series, waves_at(q, series.shape[1]))
+    """Return the values of Chebyshev series at q, a row of coefficients each."""
+    found: Vector = np.dot(series, chebyshev_at(q, series.shape[1]))
     return found
 
 
 def case_at(along: Any, q: float) -> Any:
-    """Return the arrays of the cell at a value of the parameter, and its forms behind them."""
+    """Return the arrays of the cell at q, followed by its watched forms."""
     kinds, setting = along[0], along[1]
     values = series_at(along[2], q)
     count, more = len(kinds), len(setting)
@@ -80,8 +80,8 @@ def case_at(along: Any, q: float) -> Any:
     return kinds, numbers, setting, memory, values[second : second + 3], forms
 
 
-def lasting_on(case: Any, z: Vector, least: float) -> Vector:
-    """Return unknowns with no duration below the least: what is gained is divided by it."""
+def with_least_durations(case: Any, z: Vector, least: float) -> Vector:
+    """Return unknowns with durations of at least `least`: events are divided by them."""
     found, first = z.copy(), 2 * len(case[0]) + len(case[2])
     for i in range(first, first + len(case[0])):
         if abs(found[i]) < least:
@@ -89,34 +89,34 @@ def lasting_on(case: Any, z: Vector, least: float) -> Vector:
     return found
 
 
-def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
-    """Fill R with the left sides of the equations at a value of the parameter."""
-    sides_of(case_at(along, q), along[3], z, R)
+def residual_along(along: Any, z: Vector, q: float, R: Vector) -> None:
+    """Fill R with the residual of the equations at a value of the parameter."""
+    residual_of(case_at(along, q), along[3], z, R)
 
 
-def sides_of(case: Any, divided: Any, z: Vector, R: Vector) -> None:
-    """Fill R with the left sides of the equations of a cell."""
-    at, count, z = places(case), len(case[0]), lasting_on(case, z, AN_INSTANT)
+def residual_of(case: Any, divided: Any, z: Vector, R: Vector) -> None:
+    """Fill R with the residual of the equations of a cell."""
+    at, count, z = places(case), len(case[0]), with_least_durations(case, z, AN_INSTANT)
     theta = angles(case, z, at)
     gained, _ = ends(case, z, theta)
     joints(case, z, at, theta, gained, gained, R, 0)
     for p in range(count):
         if divided[p] != 0:
             s = z[2 * count + len(case[2]) + p]
-            R[2 * count + p] = quotient(case, divided, z, at, gained, theta, p, s)
+            R[2 * count + p] = divided_event(case, divided, z, at, gained, theta, p, s)
         if divided[p] == 3:  # not that it gains nothing, which is so at the event alone
-            R[2 * behind(count, p)] = ends_at(case, z, p)
+            R[2 * next_phase(count, p)] = event_behind(case, z, p)
 
 
-def quotient(
+def divided_event(
     case: Any, divided: Any, z: Vector, at: Any, gained: Any, theta: Vector, p: int, s: float
 ) -> float:
-    """Return what the event of a phase gains, divided by its duration one to three times.
+    """Return the change of an event over its phase, divided by a power of the duration.
 
-    Twice where the phase begins without speed, and is to come back to where it began: what is
-    gained is made of its forces alone.  Or where it begins without acceleration as well, and is
-    to have no speed again: that is made of the change of the forcing alone.  Three times where
-    it begins so, and is to come back.
+    Power 1: the phase begins on the surface at which it ends.  Power 2: it begins there without
+    speed (the change is that by its forces), or it begins without speed and acceleration and
+    ends without speed (the change is that by the forcing).  Power 3: it begins without speed
+    and acceleration on the surface at which it ends.
     """
     if divided[p] == 1:
         _, change = event(case, z, at, gained, theta, p)
@@ -132,29 +132,29 @@ def quotient(
     return float(case[1][p, E_X] * ((f - k * z[2 * p]) * by + g * by_wave) / (s * s))
 
 
-def behind(count: int, p: int) -> int:
-    """Return the phase behind another."""
+def next_phase(count: int, p: int) -> int:
+    """Return the number of the phase after phase p, cyclically."""
     return p + 1 if p + 1 < count else 0
 
 
-def ends_at(case: Any, z: Vector, p: int) -> float:
-    """Return the event of a phase, of the displacement alone, where the next one begins."""
-    q = behind(len(case[0]), p)
+def event_behind(case: Any, z: Vector, p: int) -> float:
+    """Return the event of a phase, a form of the displacement, where the next phase begins."""
+    q = next_phase(len(case[0]), p)
     x = z[2 * q] * (case[4][0] if q == 0 else 1.0)
     return float(case[1][p, E_X] * x + case[1][p, E_0])
 
 
-def quickest(case: Any, z: Vector, p: int) -> float:
-    """Return the largest of the rates at which anything happens in a phase, or in the cell."""
+def fastest_rate(case: Any, z: Vector, p: int) -> float:
+    """Return the largest rate of a phase: of its waves, its decay, the forcing, the cell."""
     m, c, k, _, _ = phase_numbers(case, z, p)
     first = 2 * len(case[0]) + len(case[2])
     cell = 1 / np.sum(z[first : first + len(case[0])])
     return float(max(sqrt(abs(k) / m), abs(c) / m, case[4][1], cell))
 
 
-def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
-    """Fill R with the left sides of the equations of a cell, J with their derivatives by z."""
-    own, z = z, lasting_on(case, z, A_MOMENT)
+def residual_and_jacobian(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
+    """Fill R with the residual of the equations of a cell, J with its derivatives by z."""
+    own, z = z, with_least_durations(case, z, A_MOMENT)
     at, count = places(case), len(case[0])
     theta = angles(case, z, at)
     gained, gained_by = ends(case, z, theta)
@@ -165,55 +165,55 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
         if divided[p] != 0:
             row, at_s = 2 * count + p, 2 * count + len(case[2]) + p
             s, n = z[at_s], divided[p]
-            R[row] = quotient(case, divided, z, at, gained, theta, p, s)
+            R[row] = divided_event(case, divided, z, at, gained, theta, p, s)
             J[row, :] = 0.0
             if n == 1 or (n == 2 and case[1][p, E_X] != 0):
                 add_event(case, J, row, at, gained_by, theta, p, 0.0, 1 / s**n)
                 J[row, at_s] -= n * R[row] / s
             else:  # a wave: a quarter of a turn on it is its own derivative
-                by_angle = quotient(case, divided, z, at, gained, theta + pi / 2, p, s)
+                by_angle = divided_event(case, divided, z, at, gained, theta + pi / 2, p, s)
                 add_angle(J, row, by_angle, case[4][1], 2 * count + len(case[2]), p)
-            if n == 3:  # see `sides_of`
-                q = 2 * behind(count, p)
-                R[q], J[q, :] = ends_at(case, z, p), 0.0
+            if n == 3:  # see `residual_of`
+                q = 2 * next_phase(count, p)
+                R[q], J[q, :] = event_behind(case, z, p), 0.0
                 J[q, q] = case[1][p, E_X] * (case[4][0] if q == 0 else 1.0)
             if n > 1:  # differences, since terms cancel where the duration vanishes
                 J[row, 2 * p + 1] = 0.0
-                h = DIFFERENCE / quickest(case, z, p)
-                above = quotient(case, divided, z, at, gained, theta, p, s + h)
-                below = quotient(case, divided, z, at, gained, theta, p, s - h)
+                h = DIFFERENCE / fastest_rate(case, z, p)
+                above = divided_event(case, divided, z, at, gained, theta, p, s + h)
+                below = divided_event(case, divided, z, at, gained, theta, p, s - h)
                 J[row, at_s] = (above - below) / (2 * h)
     if (own != z).any():
-        sides_of(case, divided, own, R)
+        residual_of(case, divided, own, R)
 
 
-def rates(along: Any, z: Vector, q: float, J: Matrix) -> None:
-    """Fill J with their derivatives, that by the parameter in the last column."""
+def jacobian_along(along: Any, z: Vector, q: float, J: Matrix) -> None:
+    """Fill J with the Jacobian of the residual; the last column is by the parameter."""
     n = len(z)
-    equations(case_at(along, q), along[3], z, np.empty(n), J[:n, :n])
+    residual_and_jacobian(case_at(along, q), along[3], z, np.empty(n), J[:n, :n])
     above, below = np.empty(n), np.empty(n)
-    left_sides(along, z, q + DIFFERENCE, above)
-    left_sides(along, z, q - DIFFERENCE, below)
+    residual_along(along, z, q + DIFFERENCE, above)
+    residual_along(along, z, q - DIFFERENCE, below)
     for i in range(n):
         J[i, n] = (above[i] - below[i]) / (2 * DIFFERENCE)
 
 
 def bordered(along: Any, y: Vector, border: Vector, J: Matrix, scales: Vector) -> None:
-    """Fill J with the derivatives in coordinates of size 1, over a row; its rows scaled."""
+    """Fill J with the Jacobian in scaled coordinates, bordered by a row; scale its rows."""
     n = len(y) - 1
-    rates(along, y[:n], y[n], J)
+    jacobian_along(along, y[:n], y[n], J)
     for i in range(n):
         J[i] /= along[4]
     J[n] = border
     scale_rows(J, scales)
 
 
-def moved(
+def newton_step(
     y: Vector, step: Vector, J: Matrix, rows: Any, scales: Vector, weights: Vector
 ) -> float:
-    """Move unknowns by a step of Newton's method; return its length, in coordinates of size 1.
+    """Correct unknowns by a Newton step; return its length in scaled coordinates.
 
-    `step` has the left sides; J their derivatives, scaled and factorised.
+    `step` holds the residual and becomes the correction; J is the factorised, scaled Jacobian.
     """
     for i in range(len(step)):
         step[i] /= scales[i]
@@ -226,26 +226,26 @@ def moved(
 
 
 def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
-    """Lead `y` to the branch, across `border`; whether it gets there, and how fast at first.
+    """Correct `y` to the branch, orthogonally to `border`, by Newton's method.
 
     Returns
     -------
     converged : bool
     fall : float
-        The second correction as a part of the first; 0 where there is none, or both are
-        rounding.
+        The ratio of the second correction to the first; 0 without a second one, or where both
+        are rounding.
     """
     n = len(y) - 1
     J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)
     step, before, fall, size = np.zeros(n + 1), np.inf, 0.0, np.inf
     for turn in range(CORRECTIONS):
-        left_sides(along, y[:n], y[n], step)
+        residual_along(along, y[:n], y[n], step)
         step[n] = 0.0
         if not (size <= NEAR and size <= FAST_FALL * before):
             bordered(along, y, border, J, scales)
             if not factorise(J, rows):
                 return False, fall
-        before, size = size, moved(y, step, J, rows, scales, along[4])
+        before, size = size, newton_step(y, step, J, rows, scales, along[4])
         if not isfinite(size):
             return False, fall
         if turn == 1 and before > BARELY:
@@ -258,10 +258,10 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
 
 
 def tangent(along: Any, y: Vector, border: Vector) -> tuple[Vector, float]:
-    """Return the unit tangent in coordinates of size 1, on the side of `border`.
+    """Return the unit tangent in scaled coordinates, with a positive product with `border`.
 
-    Behind it the least pivot of the equations across the border, their rows scaled, with the
-    sign of their determinant: zero where branches meet, and of one size for many unknowns.
+    The second value is the least pivot of the bordered Jacobian with the sign of its
+    determinant: zero where branches meet, and unlike the determinant of moderate size.
     """
     n = len(y) - 1
     J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)

@@ -1,4 +1,4 @@
-"""A branch of one order of phases, step by step, to where it ends or another order begins."""
+"""Follow a branch of one order of phases to its end, or to where the order changes."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -15,29 +15,29 @@ from .meeting import meeting, met, shorter
 from .piece import NoStepError, Piece, Place, unit_of
 from .walk import EVENT, GROWN, LEAST_STEP, STUCK
 
-#: First step, in coordinates of size 1; orbits that are found at a time.
+#: First step, in scaled coordinates; most steps of one walk.
 FIRST, ROOM = 0.01, 32
 
 #: Most of the range of the parameter in a step, and most orbits of a branch.
 PART, MOST_POINTS = 1 / 80, 20_000
 
-#: How far a point may be from the first, in steps, for the branch to be closed.
+#: Distance from the first orbit, in steps, within which a branch may be closed.
 NEAR = 1.0
 
-#: How far ahead, as a part of the range, it is asked whether there is such an oscillator.
+#: How far ahead, as a part of the range, the parameters are checked where no step succeeds.
 AHEAD = 1e-6
 
 #: Why a branch ends.
 CLOSED, RANGE = "the branch is closed", "the end of the range"
 TWICE = "the orbit becomes one of half its period"
 
-#: Size of an unknown, without units, that no orbit has that is worth following.
+#: Size of an unknown, without units, at which an orbit is said to grow beyond all bounds.
 MOST = 1e8
 
 
 @dataclass(eq=False)
 class Segment:
-    """Orbits of one order of phases along a branch, in turn, and what happens there."""
+    """The orbits of one order of phases along a branch, in order, and the events among them."""
 
     points: list[tuple[Piece, Place]]
     events: list[Found] = field(default_factory=list)
@@ -45,7 +45,7 @@ class Segment:
 
     @property
     def end(self) -> Found | None:
-        """The event at which the order of the phases changes, if it ends so."""
+        """The event at its end at which the order of phases changes, if there is one."""
         return self.events[-1] if self.events and self.events[-1].changes else None
 
 
@@ -59,20 +59,20 @@ def follow(
     Parameters
     ----------
     found : Segment
-        To which the orbits are added, one by one.
+        It gets the orbits and events.
     first : (Piece, Place)
-        Where the branch began: back there it is closed.
+        The first orbit of the branch: back there it is closed.
     part : float
-        Most of the range of the parameter in a step.
+        Largest step, as a part of the range of the parameter.
     seen : callable
         Called with the parameter of each orbit.
     most : int
-        Orbits that are enough.
+        Most orbits.
     """
     (piece, place), length = found.points[-1], FIRST
     longest = part * (piece.bounds[1] - piece.bounds[0])
     half = shorter(piece)
-    if piece.ends_at(place.y) and place.y[-1] * place.direction[-1] > 0:
+    if piece.ends_at(place.y) and place.y[-1] * place.tangent[-1] > 0:
         found.why = RANGE
     while len(found.points) < most and not found.why:
         places, lengths, why, length = piece.walk(place, length, longest, ROOM)
@@ -106,9 +106,9 @@ def follow(
 
 
 def _why_stuck(piece: Piece, place: Place) -> str:
-    """Return why no step leads on: that there is no such oscillator just ahead, if so."""
+    """Return why no step succeeds: the parameter is out of bounds ahead, or none is known."""
     unit, given = unit_of(piece.case, piece.index), piece.case.numbers
-    way = AHEAD * float(np.copysign(piece.bounds[1] - piece.bounds[0], place.direction[-1]))
+    way = AHEAD * float(np.copysign(piece.bounds[1] - piece.bounds[0], place.tangent[-1]))
     ahead = piece.value(place.y) + way
     if piece.bounds[0] <= ahead <= piece.bounds[1]:
         numbers = (*given[: piece.index], ahead / unit, *given[piece.index + 1 :])
@@ -122,9 +122,9 @@ def _why_stuck(piece: Piece, place: Place) -> str:
 def _meets(
     found: Segment, half: Course, piece: Piece, places: list[Place], lengths: Vector, why: int
 ) -> bool:
-    """Note where the branch meets that of an order of half the phases, and whether it does.
+    """Add where the branch meets that of half the phases to a segment; whether it does.
 
-    Not where the order of the phases changes before.
+    Not if the order of phases changes before.
     """
     there = met(piece, places)
     if there is None:
@@ -146,12 +146,12 @@ def _meets(
 def _pass(
     found: Segment, piece: Piece, before: Place, after: Place, length: float
 ) -> tuple[Piece, Place]:
-    """Return where a branch goes on behind a step in which something happens; note what does.
+    """Add the events of a step to a segment; return where the branch goes on behind them.
 
     Raises
     ------
     NoStepError
-        If it is not located.
+        If an event is not located.
     """
     points, events, why = [], [], ""
     for event in in_turn(events_in(piece, before, after, length)):
@@ -175,20 +175,20 @@ def _pass(
 def _closed(
     first: tuple[Piece, Place], piece: Piece, places: list[Place], lengths: Vector
 ) -> int | None:
-    """Return which step leads past the first orbit of a branch, in its direction, if any."""
+    """Return the number of the step that passes the first orbit of a branch again, if any."""
     there, place = first
     if piece.course != there.course or not places:
         return None
     begin = in_units(there, piece, place.y)
     away = (np.array([each.y for each in places]) - begin) * piece.along.weights
-    ahead = (away * np.array([each.direction for each in places])).sum(axis=1)
+    ahead = (away * np.array([each.tangent for each in places])).sum(axis=1)
     near = np.linalg.norm(away, axis=1) <= NEAR * lengths
     passed = np.flatnonzero(near & (ahead >= 0) & (ahead <= lengths))
     return int(passed[0]) if len(passed) else None
 
 
 def in_units(there: Piece, piece: Piece, y: Vector) -> Vector:
-    """Return the unknowns of an orbit of one piece as another has them."""
+    """Return the unknowns of an orbit of the piece `there` in the units of `piece`."""
     found = y * there.sizes / piece.sizes
     found[-1] = piece.interval.q(there.value(y) / unit_of(piece.case, piece.index))
     return np.asarray(found)

@@ -1,4 +1,4 @@
-"""Where in a step of a branch something happens, the orbit there, and how well it is known."""
+"""The events in a step of a branch: where, the orbit there, and the error of the parameter."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator
@@ -14,44 +14,44 @@ from .piece import NoStepError, Piece, Place
 from .walk import FLIP, FOLD, MEETS, NEUTRAL, OUTSIDE, OWN
 from .watch import BEGINS
 
-#: How far back what happens in a step is looked for again, in steps.
+#: How far behind the end of a step an event in it is located again, in steps.
 BACK = 1.25
 
-#: Beyond it a value where an event was located is a pole, not a zero, as a part of its change.
+#: Value of a monitor at its located root, as a part of its change, beyond which it is a pole.
 ZERO = 1e-6
 
-#: What is watched, without units, may be below zero by this: it is rounding.
+#: Rounding of monitors without units.
 ROUNDING = 4 * float(np.finfo(float).eps)
 
-#: How near to an event its root is found, as a part of a step.
+#: Tolerance of the root of a monitor, as a part of a step.
 NEAR = 1e-14
 
-#: Part of a step within which it is no torus that two more multipliers are outside the circle;
-#: least imaginary part of a complex one, as a part of it.
+#: Part of a step beside a fold or a flip in which no torus is looked for; least imaginary part
+#: of a complex multiplier, relative.
 SHORT, TURNED = 1e-6, 1e-7
 
-#: The words for what happens to an orbit itself, by gauges behind its forms and durations.
+#: The kinds of events of the orbit as a whole, by the last monitors.
 OF_THE_ORBIT = {FOLD: "fold", FLIP: "flip", MEETS: "branch-point", OUTSIDE: "torus"}
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Something that happens on a branch.
+    """An event on a branch.
 
     Parameters
     ----------
     kind : str
-        The word for it.
+        The word that users read.
     phase : int or None
-        The phase that it happens in; None where it is of the whole orbit.
-    column : int
-        Of `watch`: where in the phase; its duration, without one.
+        The phase in which it happens; None of the orbit as a whole.
+    column : int or None
+        Of `watch`: where in the phase; None if its duration vanishes.
     piece : Piece
     place : Place
-    gauge : int
-        Which of `Place.gauges` vanishes.
+    monitor : int
+        Which of `Place.monitors` vanishes.
     estimate : float
-        Of the error of the parameter: what finding it from the other side gives otherwise.
+        Of the error of the parameter: the difference if it is located from the other side.
     """
 
     kind: str
@@ -59,17 +59,17 @@ class Found:
     column: int | None
     piece: Piece
     place: Place
-    gauge: int = -1
+    monitor: int = -1
     estimate: float = 0.0
 
     @property
     def row(self) -> int:
-        """Of the form that vanishes among those that are watched, if it is one."""
-        return self.gauge // 3
+        """The row of the table of the form that vanishes, if it is one."""
+        return self.monitor // 3
 
     @property
     def changes(self) -> bool:
-        """Whether the order of the phases is another one beyond."""
+        """Whether the order of the phases changes there."""
         return self.phase is not None
 
     @property
@@ -79,7 +79,7 @@ class Found:
 
 
 def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tuple[float, Place]:
-    """Return where in a part of a step a gauge vanishes, and the orbit there.
+    """Return where in a part of a step a monitor vanishes, and the orbit there (Brent).
 
     Raises
     ------
@@ -92,17 +92,17 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
         return piece.stepped(before, at) if at else before
 
     def own(place: Place) -> float:
-        return float(place.gauges[i])
+        return float(place.monitors[i])
 
     try:
-        turns = i - (len(before.gauges) - OWN) == OUTSIDE
-        gauge = leaving(piece, *map(place_at, ends)) if turns else own
+        turns = i - (len(before.monitors) - OWN) == OUTSIDE
+        monitor = beyond_circle(piece, *map(place_at, ends)) if turns else own
 
-        sizes = [abs(gauge(place_at(at))) for at in ends]
+        sizes = [abs(monitor(place_at(at))) for at in ends]
         no_orbit, rounding = np.isnan(sizes).any(), ROUNDING * max(sizes)
 
         def value(at: float) -> float:
-            found = gauge(place_at(at))
+            found = monitor(place_at(at))
             if np.isnan(found):
                 return 1.0
             if no_orbit:  # what vanishes where orbits end does so like a square
@@ -118,11 +118,11 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
 
 
 def estimated(event: Found, after: Place, length: float) -> Found:
-    """Return something that happens in a step, with what finding it from behind changes."""
+    """Return an event with its estimate, by locating it again from the end of the step."""
     piece, value = event.piece, event.value
     least = float(np.spacing(abs(value)))
     try:
-        _, place = root(piece, after, (0.0, -BACK * length), event.gauge)
+        _, place = root(piece, after, (0.0, -BACK * length), event.monitor)
     except NoStepError:  # behind a phase that has no duration nothing is smooth
         return replace(event, estimate=max(least, event.estimate))
     return replace(event, estimate=max(least, abs(piece.value(place.y) - value)))
@@ -131,12 +131,12 @@ def estimated(event: Found, after: Place, length: float) -> Found:
 def located(
     piece: Piece, before: Place, after: Place, length: float, i: int
 ) -> Iterator[tuple[float, Found | None]]:
-    """Yield where something that is watched vanishes in a step, if it does."""
-    end = float(after.gauges[i])
+    """Yield the event at which monitor i vanishes; None where no orbit is beyond."""
+    end = float(after.monitors[i])
     forms, phases = 3 * len(piece.table), len(piece.along.kinds)
     at, place = root(piece, before, (0.0, length), i)
-    ends = end, 0.0 if i < forms + phases else float(before.gauges[i])
-    if not abs(float(place.gauges[i])) <= ZERO * max(map(abs, ends)):
+    ends = end, 0.0 if i < forms + phases else float(before.monitors[i])
+    if not abs(float(place.monitors[i])) <= ZERO * max(map(abs, ends)):
         if i < forms + phases and abs(end) > ROUNDING:  # there is no orbit beyond
             yield at, None
         return
@@ -146,7 +146,7 @@ def located(
         yield at, Found(word, row.phase, column, piece, place, i)
     elif i < forms + phases:
         p = i - forms
-        yield at, Found(_word_of_duration(piece, p), p, None, piece, place, i)
+        yield at, Found(_kind_of_vanishing(piece, p), p, None, piece, place, i)
     else:
         kind = OF_THE_ORBIT[i - forms - phases]
         if kind == "flip" and piece.cell.sign < 0:  # of half a period: the symmetry is lost
@@ -154,13 +154,13 @@ def located(
         yield at, Found(kind, None, None, piece, place, i)
 
 
-def through(
+def by_cubic(
     piece: Piece, before: Place, after: Place, length: float, p: int
 ) -> tuple[float, Found]:
-    """Return where the duration of a phase vanishes in a step, by the cubic between its ends.
+    """Return where the duration of a phase vanishes in a step, by cubic Hermite interpolation.
 
-    An orbit is a smooth function of a duration, through zero as well.  The cubic to a place
-    twice as far says how well that is known.
+    The orbit is a smooth function of the duration, also through zero.  The cubic over twice the
+    step gives the estimate.
 
     Raises
     ------
@@ -169,32 +169,32 @@ def through(
     """
     part, y = _cubic(piece, before, after, p)
     place, i = replace(before, y=y), 3 * len(piece.table) + p
-    found = Found(_word_of_duration(piece, p), p, None, piece, place, i)
+    found = Found(_kind_of_vanishing(piece, p), p, None, piece, place, i)
     _, other = _cubic(piece, before, piece.stepped(before, 2 * length), p)
     return part * length, replace(found, estimate=abs(piece.value(other) - found.value))
 
 
 def _cubic(piece: Piece, before: Place, after: Place, p: int) -> tuple[float, Vector]:
-    """Return at which part of a step a duration vanishes, and the unknowns by a cubic in it."""
+    """Return at which part of a step a duration vanishes, and the unknowns there."""
     j = piece.along.before + p
     first, last = float(before.y[j]), float(after.y[j])
     span, part = last - first, first / (first - last)
-    slopes = [q.direction / piece.along.weights for q in (before, after)]
+    slopes = [q.tangent / piece.along.weights for q in (before, after)]
     one, other = (span * slope / slope[j] for slope in slopes)
     chord = after.y - before.y
     bent = (1 - part) * (one - chord) - part * (other - chord)
     return part, before.y + part * (chord + (1 - part) * bent)
 
 
-def turning(
+def torus_crossings(
     piece: Piece, before: Place, after: Place, length: float, real: Iterable[float]
 ) -> Iterator[tuple[float, Found]]:
     """Yield where a pair of complex multipliers crosses the unit circle in a step.
 
-    That two more are outside is seen beside the places where one alone, which is `real`, comes
-    or goes: at folds and flips.
+    Their number outside changes by two.  At `real`, the places of folds and flips, where it
+    changes by one, the step is divided.
     """
-    which = len(before.gauges) - OWN + OUTSIDE
+    which = len(before.monitors) - OWN + OUTSIDE
     ends, beside = [(0.0, before)], SHORT * length
     for at in sorted(real, key=lambda at: at / length):
         ends += [(q, piece.stepped(before, q)) for q in (at - beside, at + beside)]
@@ -202,11 +202,11 @@ def turning(
     parts = [(*ends[i], *ends[i + 1]) for i in range(0, len(ends), 2)]
     while parts:
         low, one, high, other = parts.pop()
-        if not abs(other.gauges[which] - one.gauges[which]) > 1:
+        if not abs(other.monitors[which] - one.monitors[which]) > 1:
             continue
         with suppress(NoStepError):
             at, place = root(piece, before, (low, high), which)
-            if _turns(piece, place, one, other):
+            if _crosses_as_pair(piece, place, one, other):
                 yield at, Found("torus", None, None, piece, place, which)
                 continue
         if abs(high - low) > SHORT * abs(length):
@@ -215,30 +215,30 @@ def turning(
             parts += [(low, one, at, middle), (at, middle, high, other)]
 
 
-def leaving(piece: Piece, one: Place, other: Place) -> Callable[[Place], float]:
-    """Return what vanishes between two orbits where more multipliers come to be outside.
+def beyond_circle(piece: Piece, one: Place, other: Place) -> Callable[[Place], float]:
+    """Return a monitor of the next multiplier that leaves the unit circle between two orbits.
 
-    It is how far outside the unit circle the first is that is not at both.  Where that is on
-    the circle at one of them, since nothing is lost, it is how far beyond rounding.
+    It is the modulus less 1 of the largest one that is inside at one of them.  If that is on
+    the circle there, as without damping, the monitor vanishes where it is off by rounding.
     """
-    k, inside = _first(one, other)
+    k, inside = _first_leaving(one, other)
     size = abs(multipliers(piece, inside)[k]) - 1
     least = NEUTRAL if abs(size) <= NEUTRAL else 0.0
     return lambda place: float(abs(multipliers(piece, place)[k]) - 1 - least)
 
 
-def _first(one: Place, other: Place) -> tuple[int, Place]:
-    """Return how many multipliers are outside at the one of two orbits with fewer, and it."""
-    counts = [place.gauges[len(place.gauges) - OWN + OUTSIDE] for place in (one, other)]
+def _first_leaving(one: Place, other: Place) -> tuple[int, Place]:
+    """Return the smaller number of multipliers outside at two orbits, and that orbit."""
+    counts = [place.monitors[len(place.monitors) - OWN + OUTSIDE] for place in (one, other)]
     return int(min(counts)), (one, other)[int(np.argmin(counts))]
 
 
-def _turns(piece: Piece, place: Place, one: Place, other: Place) -> bool:
-    """Whether a complex multiplier crosses the unit circle at a place between two orbits.
+def _crosses_as_pair(piece: Piece, place: Place, one: Place, other: Place) -> bool:
+    """Whether a multiplier that crosses the unit circle between two orbits is complex.
 
-    It does not if it is real, or comes back from infinity.
+    False as well where it comes back from infinity.
     """
-    k, inside = _first(one, other)
+    k, inside = _first_leaving(one, other)
     value, *sides = (multipliers(piece, each)[k] for each in (place, one, other))
     apart = [abs(abs(each) - 1) for each in (value, *sides)]
     near = ZERO if abs(abs(multipliers(piece, inside)[k]) - 1) > NEUTRAL else np.sqrt(ZERO)
@@ -246,13 +246,13 @@ def _turns(piece: Piece, place: Place, one: Place, other: Place) -> bool:
 
 
 def multipliers(piece: Piece, place: Place) -> Any:
-    """Return the multipliers of a cell before it is mirrored, the largest first."""
+    """Return the multipliers of a cell, not mirrored, by descending modulus."""
     values = np.linalg.eigvals(piece.maps(place)[0])
     return values[np.argsort(-np.abs(values), kind="stable")]
 
 
-def _word_of_duration(piece: Piece, p: int) -> str:
-    """Return what it is called where a phase of a cell gets no duration."""
+def _kind_of_vanishing(piece: Piece, p: int) -> str:
+    """Return the kind of the event at which the duration of a phase vanishes."""
     phase, back = piece.cell.phases[p], returns(piece.cell, p)
     # it begins without speed: a rest could
     still = piece.along.divided[p] > 1 or (back and of_velocity(phase.event))

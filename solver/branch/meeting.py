@@ -1,9 +1,9 @@
-"""Where a branch meets that of orbits of half the period, or of orbits with a symmetry.
+"""Where a branch meets that of orbits of half the period, or of symmetric orbits.
 
-There the halves of an orbit become the same, or each the image of the other, and behind it they
-have changed places: it is followed no further.  The equations of the longer orbit are singular
-there, those of the shorter one are not, and on the branch of that something vanishes: it is a
-flip, or where symmetry is lost.
+There the two halves of an orbit become equal, or mirror images; behind it they have exchanged
+places, and the branch is followed no further.  The equations of the longer orbit are singular
+there.  Those of the shorter one are regular, and its own branch has a flip there, or loses its
+symmetry.
 """
 
 from collections.abc import Sequence
@@ -19,17 +19,17 @@ from .locate import Found, estimated, root
 from .piece import NoStepError, Piece, Place
 from .walk import FLIP, LEAST_STEP, MOST_STEP, OWN
 
-#: What halves are apart that is rounding, and what is left of it, as a part, where they meet.
+#: Difference of two halves that is rounding; part of it that may be left where they meet.
 ROUNDING, LEFT = 1e-9, 1e-6
 
-#: Steps along the branch of the shorter orbit, as parts of the last step along the parameter.
+#: Steps tried along the branch of the shorter orbit, by the change of the parameter.
 STEPS = 1.0, 4.0, 16.0, 64.0
 
 
 def shorter(piece: Piece) -> Course | None:
-    """Return the order of half the phases of which that of a piece is twice; None without one.
+    """Return the order of phases of which that of a piece is the double; None without one.
 
-    Either half is a period, or each is the image of the other.
+    Its second half repeats the first, or is the mirror image of it.
     """
     course = piece.course
     steps, cycles = course.order.steps, course.cycles
@@ -47,7 +47,7 @@ def shorter(piece: Piece) -> Course | None:
 
 
 def halves_apart(piece: Piece, y: Vector) -> Vector:
-    """Return by what the halves of an orbit differ, or a half from the image of the other."""
+    """Return the first half of an orbit less the second, or less the image of that."""
     steps, durations = piece.course.order.steps, piece.durations(y)
     half = len(durations) // 2
     states = piece.course.halves(y)
@@ -57,9 +57,9 @@ def halves_apart(piece: Piece, y: Vector) -> Vector:
 
 
 def met(piece: Piece, places: Sequence[Place]) -> tuple[int, float] | None:
-    """Return the first step from place to place in which halves meet, and at which part of it.
+    """Return the number of the first step in which the halves meet, and at which part of it.
 
-    None if they do in no step.
+    None if they meet in none.
     """
     apart = [halves_apart(piece, place.y * piece.along.weights) for place in places]
     for i, (one, other) in enumerate(pairwise(apart)):
@@ -70,7 +70,7 @@ def met(piece: Piece, places: Sequence[Place]) -> tuple[int, float] | None:
 
 
 def halved(piece: Piece, half: Course, y: Vector) -> Vector:
-    """Return the first half of an orbit as an order of half the phases has it."""
+    """Return the unknowns of the first half of an orbit, for the order of half the phases."""
     count = len(half.order.steps)
     states = piece.course.states(piece.equations(y), y)[:count]
     angle = float(y[-2]) if piece.cell.forced else 0.0
@@ -79,7 +79,7 @@ def halved(piece: Piece, half: Course, y: Vector) -> Vector:
 
 
 def symmetric(piece: Piece, y: Vector) -> Course | None:
-    """Return the order of half an orbit, if the other half is its image; else None."""
+    """Return the order of the first half of an orbit if the second is its image; else None."""
     half = shorter(piece)
     if half is None or not half.order.half_period:
         return None
@@ -88,10 +88,9 @@ def symmetric(piece: Piece, y: Vector) -> Course | None:
 
 
 def meeting(piece: Piece, half: Course, before: Place, after: Place) -> Found:
-    """Return where halves meet in a step, located on the branch of the shorter orbit.
+    """Return where the halves meet in a step, located on the branch of the shorter orbit.
 
-    Where that is not found, within what the parameter goes with the square of the way to it: a
-    few times what the step changes.
+    If that fails, the orbit before, with an estimate of four times the step in the parameter.
     """
     try:
         at = _located(piece, half, before, after)
@@ -105,7 +104,7 @@ def meeting(piece: Piece, half: Course, before: Place, after: Place) -> Found:
 
 
 def _located(piece: Piece, half: Course, before: Place, after: Place) -> Found:
-    """Return where the shorter orbit is the longer one as well.
+    """Return the flip on the branch of the shorter orbit.
 
     Raises
     ------
@@ -115,15 +114,15 @@ def _located(piece: Piece, half: Course, before: Place, after: Place) -> Found:
     y, own = before.y, halved(piece, half, before.y)
     short = Piece.at(half, piece.case, piece.index, piece.bounds, own, ())
     along = np.append(np.zeros(len(own) - 1), 1.0)
-    begin = short.place(short.led(short.of_number(own), along), along)
-    gauge = len(begin.gauges) - OWN + FLIP
+    begin = short.place(short.corrected(short.of_number(own), along), along)
+    monitor = len(begin.monitors) - OWN + FLIP
     change = abs(piece.value(after.y) - piece.value(y)) / short.sizes[-1]
     for part in STEPS:
         length = float(np.clip(part * change, LEAST_STEP, MOST_STEP))
         for step in (length, -length):
             end = short.stepped(begin, step)
-            if begin.gauges[gauge] * end.gauges[gauge] < 0:
-                _, place = root(short, begin, (0.0, step), gauge)
-                found = Found("flip", None, None, short, place, gauge)
+            if begin.monitors[monitor] * end.monitors[monitor] < 0:
+                _, place = root(short, begin, (0.0, step), monitor)
+                found = Found("flip", None, None, short, place, monitor)
                 return estimated(found, end, step)
     raise NoStepError

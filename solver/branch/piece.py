@@ -15,7 +15,7 @@ from . import walk
 from .along import Along, Interval
 from .course import Course, Row
 
-#: How far the parameter may go in one set of units, as a part of itself or of its unit.
+#: Half width of the interval of a piece, as a part of the parameter or of its unit.
 REACH = 0.5
 
 
@@ -26,22 +26,22 @@ class Place:
     Parameters
     ----------
     y : ndarray
-        The unknowns, and the coordinate of the parameter.
-    direction : ndarray
-        The unit tangent, in coordinates of size 1.
-    gauges : ndarray
-        What is watched: of the forms, row by row of the table, the durations, and what
-        `walk.OWN` says.
+        The unknowns, and the coordinate ``q`` of the parameter.
+    tangent : ndarray
+        The unit tangent, in scaled coordinates.
+    monitors : ndarray
+        Test functions for events: three of each form of the table, the durations, and those of
+        the orbit as a whole (`walk.OWN`).
     extremes : ndarray, shape (2, 2)
-        Ends of displacement and velocity of the cell.
+        Least and largest displacement and velocity of the cell.
     maps : ndarray, shape (2, n, n) or (2, 0, 0)
-        What the cell makes of perturbations, before it is mirrored, and its size; of a body
+        The derivative of the map over the cell, before it is mirrored, and its size; of a body
         they are not kept.
     """
 
     y: Vector
-    direction: Vector
-    gauges: Vector
+    tangent: Vector
+    monitors: Vector
     extremes: Matrix
     maps: Matrix
 
@@ -58,17 +58,19 @@ class Piece:
     ----------
     course : Course
     case : Case
-        Whose units are used.
+        It gives the units and the other parameters.
     index : int
-        Of the parameter.
+        The number of the parameter.
     bounds : (float, float)
-        Of its range, in SI units.
+        Its range, in SI units.
     interval : Interval
-        Of it, without units.
+        The part of the range in which the equations are valid, without units.
     along : Along
+        The equations.
     rows : tuple of Row
+        The watched forms.
     table : ndarray of int
-        What is watched.
+        The same as `watch` takes them.
     """
 
     course: Course
@@ -85,7 +87,7 @@ class Piece:
         cls, course: Course, case: Case, index: int, bounds: tuple[float, float], y: Vector,
         rows: Sequence[Row] | None = None,
     ) -> "Piece":  # fmt: skip
-        """Return the piece about an orbit, in the units of a case.
+        """Return the piece around an orbit, in the units of a case.
 
         Parameters
         ----------
@@ -96,7 +98,7 @@ class Piece:
         y : ndarray
             The unknowns of the orbit, and its parameter, without units.
         rows : sequence of Row, optional
-            What is watched; all that there is without it.
+            The forms to watch; default: all.
         """
         z, value, unit = y[:-1], float(y[-1]), unit_of(case, index)
         reach = REACH * max(abs(value), 1.0)
@@ -119,11 +121,11 @@ class Piece:
 
     @property
     def name(self) -> str:
-        """The parameter."""
+        """The name of the parameter."""
         return self.case.scene.parameters[self.index].name
 
     def value(self, y: Vector) -> float:
-        """Return the parameter in SI units; that at an end of the range is exact."""
+        """Return the parameter in SI units, exact at an end of the range."""
         if self.ends_at(y):
             return self.bounds[int(y[-1] > 0)]
         return self.number(y) * unit_of(self.case, self.index)
@@ -133,7 +135,7 @@ class Piece:
         return self.interval.value(float(y[-1]))
 
     def of_number(self, y: Vector) -> Vector:
-        """Return unknowns with the coordinate of the parameter in place of the parameter."""
+        """Return unknowns with the coordinate ``q`` in place of the parameter behind them."""
         return np.append(y[:-1], self.interval.q(float(y[-1])))
 
     def equations(self, y: Vector) -> Any:
@@ -141,7 +143,7 @@ class Piece:
         return self.course.by("case_at", self.along, float(y[-1]))
 
     def maps(self, place: Place) -> tuple[Matrix, Matrix]:
-        """Return what the cell makes of perturbations, before it is mirrored, and its size."""
+        """Return the derivative of the map over the cell, not yet mirrored, and its size."""
         return self.course.maps(self.equations(place.y), place.y[:-1], place.maps)
 
     def numbers(self, y: Vector) -> tuple[float, ...]:
@@ -161,27 +163,27 @@ class Piece:
 
     @cached_property
     def cell(self) -> Cell:
-        """The cell for the parameters of the case: how many phases it has, and which."""
+        """The cell for the parameters of the case."""
         return self.course.cell(self.case.numbers)
 
     def place(self, y: Vector, border: Vector) -> Place:
-        """Return an orbit, its tangent on the side of `border`.
+        """Return an orbit with its monitors, its tangent on the side of `border`.
 
         Raises
         ------
         NoStepError
-            If it has none.
+            If it has no tangent.
         """
         more = self.course.mapped
         extremes, maps = np.empty((2, 2)), np.empty((2, more, more))
         given = self.along, self.table, y, border, extremes, maps
-        direction, gauges = self.course.by("look", *given)
+        direction, monitors = self.course.by("tangent_and_monitors", *given)
         if not np.isfinite(direction).all():
             raise NoStepError
-        return Place(y, direction, gauges, extremes, maps)
+        return Place(y, direction, monitors, extremes, maps)
 
-    def led(self, y: Vector, border: Vector) -> Vector:
-        """Return where Newton's method leads across a border: the branch.
+    def corrected(self, y: Vector, border: Vector) -> Vector:
+        """Return the orbit to which Newton's method leads, orthogonally to `border`.
 
         Raises
         ------
@@ -192,31 +194,31 @@ class Piece:
             raise NoStepError
         return found
 
-    def free(self, y: Vector) -> Matrix:
-        """Return directions in turn, the last ones those that the equations leave free."""
+    def singular_vectors(self, y: Vector) -> Matrix:
+        """Return the right singular vectors of the Jacobian; the last span its null space."""
         J = np.empty((len(y) - 1, len(y)))
-        self.course.by("rates", self.along, y[:-1], y[-1], J)
+        self.course.by("jacobian_along", self.along, y[:-1], y[-1], J)
         J /= self.along.weights
         found: Matrix = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2]
         return found
 
     def stepped(self, place: Place, length: float) -> Place:
-        """Return the orbit a step along the branch.
+        """Return the orbit one step along the branch.
 
         Raises
         ------
         NoStepError
         """
-        given = self.along, place.y, place.direction, length
+        given = self.along, place.y, place.tangent, length
         converged, _, y = self.course.by("stepped", *given)
         if not converged:
             raise NoStepError
-        return self.place(y, place.direction)
+        return self.place(y, place.tangent)
 
     def walk(
         self, place: Place, length: float, most: float, room: int
     ) -> tuple[list[Place], Vector, int, float]:
-        """Return the orbits of the next steps, the lengths of these, and why they end.
+        """Return the orbits of the next steps, their lengths, and why they end.
 
         Parameters
         ----------
@@ -235,7 +237,7 @@ class Piece:
             See `walk.walk`.
         """
         more, size = self.course.mapped, len(place.y)
-        Y, D, V = (np.empty((room + 1, q)) for q in (size, size, len(place.gauges)))
+        Y, D, V = (np.empty((room + 1, q)) for q in (size, size, len(place.monitors)))
         E, T, S = (
             np.empty((room + 1, 2, 2)),
             np.empty((room + 1, 2, more, more)),
@@ -249,13 +251,13 @@ class Piece:
 
     @cached_property
     def sizes(self) -> Vector:
-        """What 1 of each unknown is in SI units; of ``q``, what it is of the parameter."""
+        """The SI value of 1 of each unknown, and of 1 of ``q``."""
         half = (self.interval.high - self.interval.low) / 2
         own = half * unit_of(self.case, self.index)
         return np.append(self.course.sizes(self.cell, self.case), own)
 
     def orbit(self, y: Vector) -> ExactOrbit | None:
-        """Return an exact orbit as users hold it; None of a motion that nothing ends."""
+        """Return the exact orbit of a place; None of a motion of one phase that never ends."""
         if self.course.endless:
             return None
         case = self.case.with_value(self.name, self.value(y))
@@ -266,24 +268,24 @@ class Piece:
         return np.asarray(y[:-1] * self.sizes[:-1] / replace(self, case=case).sizes[:-1])
 
     def admits(self, place: Place) -> bool:
-        """Whether an orbit is admissible: all that is watched, and what a solver asks."""
-        if (place.gauges[: -walk.OWN] < 0).any():
+        """Whether an orbit is admissible, by its monitors and by the checks of a solver."""
+        if (place.monitors[: -walk.OWN] < 0).any():
             return False
         orbit = self.orbit(place.y)
         return orbit is None or (orbit.outcome.converged and orbit.admissible)
 
     def moved(self, place: Place) -> "tuple[Piece, Place]":
-        """Return a piece about an orbit, in units of its own, and the orbit in it."""
+        """Return a new piece around an orbit, with its units, and the orbit in it."""
         case = self.case.with_value(self.name, self.value(place.y))
         own = np.append(self.in_units_of(case, place.y), case.numbers[self.index])
         there = Piece.at(self.course, case, self.index, self.bounds, own, self.rows)
         y = there.of_number(own)
-        border = place.direction / self.along.weights * self.sizes
+        border = place.tangent / self.along.weights * self.sizes
         border = border / there.sizes * there.along.weights
-        y = there.led(y, np.append(np.zeros(len(y) - 1), 1.0))
+        y = there.corrected(y, np.append(np.zeros(len(y) - 1), 1.0))
         return there, there.place(y, border / np.linalg.norm(border))
 
 
 def unit_of(case: Case, index: int) -> float:
-    """Return the unit of a parameter in the units of a case."""
+    """Return the SI value of 1 of a parameter in the units of a case."""
     return case.units.of_parameter(case.scene.powers[index])

@@ -1,4 +1,4 @@
-"""Steps along a branch, as many as go on without an event: what a computer does most of.
+"""Steps along a branch until an event: the inner loop of continuation.
 
 Plain Python, or compiled by numba with the exact equations.
 """
@@ -20,45 +20,43 @@ from . import extended, watch
 from .extended import case_at, corrected, tangent
 from .watch import watched
 
-#: Shortest and longest step, in coordinates of size 1; what a step is multiplied by.
+#: Shortest and longest step, in scaled coordinates; the factor by which steps grow.
 LEAST_STEP, MOST_STEP, GROWTH = 1e-9, 0.1, 1.3
 
-#: Least cosine of the angle between tangents of a step; how fast its correction must fall.
+#: Least cosine of the angle between tangents of a step; most of the ratio of corrections.
 TURN, FIRST_FALL = 0.95, 0.1
 
-#: Size of an unknown in coordinates that were to be of size 1, at which they are chosen anew.
+#: Size of a scaled unknown, meant to be about 1, at which the scales are chosen anew.
 OUTGROWN = 8.0
 
-#: How close to an orbit that is known it is not asked whether something happens twice.
+#: Part of a step, next to an orbit that is known, in which no double root is looked for.
 DIP = 1e-3
 
-#: Rounding of a product of multipliers that shrink no area: they are no bifurcation.
+#: Distance of multipliers from a bifurcation that is rounding, as without damping.
 NEUTRAL = 1e-9
 
-# Why a walk ends: there is no more room; something happens in the last step, or the parameter
-# leaves its interval; the step cannot get smaller; the coordinates do not fit.
+# Why a walk ends: the arrays are full; an event happens in the last step, or the parameter
+# leaves its interval; the step cannot get smaller; an unknown has outgrown its scale.
 FULL, EVENT, STUCK, GROWN = 0, 1, 2, 3
 
-#: What is watched of an orbit itself, behind its forms and durations: the tangent's part along
-#: the parameter, and what vanishes where a multiplier of the cell is -1, and where branches
-#: meet; how many multipliers are outside the unit circle; and what vanishes where the product
-#: of two multipliers is 1.
+#: The last monitors are of the whole orbit: the tangent's component of the parameter;
+#: ``det(M + 1)``; the determinant of the bordered equations, zero where branches meet; the
+#: number of multipliers outside the unit circle; the product of ``lambda_i lambda_j - 1``.
 OWN = 5
 FOLD, FLIP, MEETS, OUTSIDE, PAIRS = range(OWN)
 
 
 def stepped(along: Any, y: Vector, direction: Vector, length: float) -> tuple[bool, float, Any]:
-    """Return whether a step along the tangent leads to the branch, how fast, and where to."""
+    """Predict along the tangent and correct: whether that converges, its `fall`, the orbit."""
     found = y + length * direction / along[4]
     converged, fall = corrected(along, found, direction)
     return converged, fall, found
 
 
-def of_multipliers(own: Matrix) -> tuple[float, float, float]:
-    """Return the product over the multipliers of what they are more than -1.
+def multiplier_monitors(own: Matrix) -> tuple[float, float, float]:
+    """Return ``det(M + 1)``, the number of multipliers outside the unit circle, and a product.
 
-    Behind it how many of them are outside the unit circle, and the product over pairs of what
-    these are together beyond 1.
+    The product is that of ``lambda_i lambda_j - 1``: zero where a pair has modulus 1.
     """
     minus = float(np.linalg.det(own + np.eye(len(own))))
     values, found = np.linalg.eigvals(own.astype(np.complex128)), complex(1.0, 0.0)
@@ -72,19 +70,19 @@ def of_multipliers(own: Matrix) -> tuple[float, float, float]:
 
 
 def outside(values: Any) -> float:
-    """Return how many multipliers are outside the unit circle, by more than rounding."""
+    """Return the number of multipliers outside the unit circle by more than rounding."""
     return float(np.sum(np.abs(values) > 1 + NEUTRAL))
 
 
-def look(
+def tangent_and_monitors(
     along: Any, table: Any, y: Vector, border: Vector, extremes: Matrix, maps: Any
 ) -> tuple[Vector, Vector]:
-    """Return the tangent at an orbit, and what is watched there; fill in its ends and maps.
+    """Return the tangent and the monitors at an orbit; fill in its extremes and maps.
 
     extremes : ndarray, shape (2, 2)
         See `watch.watched`.
     maps : ndarray, shape (2, n, n) or (2, 0, 0)
-        What the cell makes of perturbations, and its size; see `cell_map`.
+        The derivative of the map over the cell, and its size; see `cell_map`.
     """
     n, count = len(y) - 1, len(along[0])
     direction, meets = tangent(along, y, border)
@@ -94,21 +92,21 @@ def look(
     through, size, _ = cell_map(case, y[:n], end_rates(case, y[:n]), speed)
     if maps.size > 0:
         maps[0], maps[1] = through, size
-    gauges = np.empty(values.size + count + OWN)
-    gauges[: values.size] = values.ravel()
-    gauges[values.size : values.size + count] = y[along[5] :][:count]
-    orbit = gauges[values.size + count :]
+    monitors = np.empty(values.size + count + OWN)
+    monitors[: values.size] = values.ravel()
+    monitors[values.size : values.size + count] = y[along[5] :][:count]
+    orbit = monitors[values.size + count :]
     orbit[:] = np.nan
     orbit[FOLD], orbit[MEETS] = direction[n], meets
     if np.isfinite(through).all():  # where an event is touched, perturbations are not mapped
-        orbit[FLIP], orbit[OUTSIDE], orbit[PAIRS] = of_multipliers(along[6] * through)
-    return direction, gauges
+        orbit[FLIP], orbit[OUTSIDE], orbit[PAIRS] = multiplier_monitors(along[6] * through)
+    return direction, monitors
 
 
 def happens(before: float, after: float, i: int) -> bool:
-    """Whether something happens in a step to gauge `i`, counted from the first of `OWN`.
+    """Whether monitor `i` shows an event in a step; `i` is counted from the first of `OWN`.
 
-    Of forms and durations: whether it falls below zero.
+    Forms and durations (negative `i`) do where they fall below zero.
     """
     if i < 0:
         return after < 0 and not before < 0
@@ -118,11 +116,11 @@ def happens(before: float, after: float, i: int) -> bool:
 
 
 def dips(before: Vector, here: Vector, after: Vector, back: float, ahead: float) -> float:
-    """Return where in two steps something may happen twice, from the orbit between; else 0.
+    """Return where in two steps a monitor may have two roots, from the orbit between; else 0.
 
-    There a parabola leaves the sign that what is watched has at all three orbits: through its
-    values, or through their squares, as the least factor of a complex pair is smooth.  Not
-    where one of these is as good as there.
+    A monitor has the same sign at the three orbits, but the parabola through its values, or
+    through their squares, changes it.  (Squares, as the least factor of a complex pair is not
+    smooth.)  A minimum next to one of the orbits does not count.
     """
     orbit, found = len(here) - OWN, 0.0
     for i in range(len(here)):
@@ -160,7 +158,7 @@ def walk(
     Y, D : ndarray, shape (room, unknowns + 1)
         Unknowns and tangents of the orbits.
     V, E, T : ndarray
-        What is watched of each, its extremes, and its maps; see `look`.
+        Monitors, extremes and maps of each; see `tangent_and_monitors`.
     S : ndarray, shape (room,)
         The length of the step to each.
 
@@ -180,7 +178,9 @@ def walk(
         converged, fall, y = stepped(along, Y[last], D[last], length)
         accepted = converged and fall <= FIRST_FALL
         if accepted:
-            direction, gauges = look(along, table, y, D[last], E[last + 1], T[last + 1])
+            direction, monitors = tangent_and_monitors(
+                along, table, y, D[last], E[last + 1], T[last + 1]
+            )
             accepted = np.dot(direction, D[last]) >= TURN
         if not accepted:
             length /= 2
@@ -188,15 +188,15 @@ def walk(
                 return last, STUCK, length
             continue
         if last > 0:
-            at = dips(V[last - 1], V[last], gauges, S[last], length)
+            at = dips(V[last - 1], V[last], monitors, S[last], length)
             if at != 0:  # there next
                 last, length = (last - 1, S[last] + at) if at < 0 else (last, at)
                 continue
         last += 1
-        Y[last], D[last], V[last], S[last] = y, direction, gauges, length
+        Y[last], D[last], V[last], S[last] = y, direction, monitors, length
         some = abs(y[n]) > 1
-        for i in range(len(gauges)):
-            some = some or happens(V[last - 1, i], V[last, i], i - (len(gauges) - OWN))
+        for i in range(len(monitors)):
+            some = some or happens(V[last - 1, i], V[last, i], i - (len(monitors) - OWN))
         if some:
             return last, EVENT, length
         length *= GROWTH

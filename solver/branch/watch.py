@@ -1,8 +1,8 @@
-"""What is watched along a branch, in numbers that keep their smoothness through every event.
+"""Demands along a branch as monitors that are smooth through every event.
 
-Of each linear form of the state that must not be negative: its first derivative that is not
-zero by itself where the phase begins, its least value at critical points inside, and what it
-is where the phase ends, or how fast it falls there, if the phase ends by it.
+A demand is a linear form of the state that must not be negative.  Watched are: its first
+derivative that is not identically zero where the phase begins; its least value at critical
+points inside; its value where the phase ends, or if the phase ends by it, its rate of fall.
 
 Plain Python, or compiled by numba with the exact equations.
 """
@@ -17,25 +17,25 @@ from ..flow.exact_system import angles, ends, phase_numbers, places
 from ..flow.responses import by_force, by_forcing, by_start
 from ..rows.joints import FREE, F
 
-# Columns of the table of forms: the phase; where the form is looked at; the derivative that is
-# looked at where it begins; whether the phase ends by it; the row that has the value.
+# Columns of the table of forms: the phase; where the form is evaluated; the order of the
+# derivative at the start; whether the phase ends by it; the row that takes the value.
 PHASE, KIND, BEGINS, IS_END, INTO = 0, 1, 2, 3, 4
 
-# Where a form is looked at: in the phase, where it ends, or behind the switch there.
+# Where a form is evaluated: in the phase, at its end, or behind the switch there.
 WITHIN, AT_SWITCH, BEHIND = 0, 1, 2
 
 # Columns of the values of a form.
 START, LEAST, END = 0, 1, 2
 
-#: Points of a phase a radian of its quickest part, and most of them; terms of a Taylor series.
+#: Points per radian of the fastest rate of a phase; most points; terms of a Taylor series.
 DENSITY, MOST_POINTS, EXPANDED = 3.0, 4096, 14
 
-#: Halvings to where a rate is lowest, and most steps to where it rises through zero.
+#: Bisections to the minimum of a rate, and most steps to its root.
 HALVINGS = 24
 
 
 def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
-    """Return a grid of a phase, as fine as its waves.
+    """Return a phase on a grid that resolves its waves.
 
     Columns: time, displacement, velocity, cosine and sine of the forcing's phase.
     """
@@ -64,7 +64,7 @@ def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
 
 
 def taylor(equation: Vector, omega: float, angle: float, x: float, v: float, form: Any) -> Any:
-    """Return the Taylor coefficients of a form along a phase, from a state on."""
+    """Return the Taylor coefficients in time of a form along a phase, about a state."""
     m, c, k, f, g = equation
     wave, turned = cos(angle), sin(angle)
     found, power, factor = np.empty(EXPANDED), 1.0, 1.0
@@ -81,7 +81,7 @@ def taylor(equation: Vector, omega: float, angle: float, x: float, v: float, for
 
 
 def polynomial(terms: Vector, t: float, derivative: int) -> float:
-    """Return a derivative, 0 to 2, of a polynomial."""
+    """Return the derivative of order 0 to 2 of a polynomial."""
     value = 0.0
     for j in range(len(terms) - 1, derivative - 1, -1):
         factor = 1.0 if derivative == 0 else j if derivative == 1 else j * (j - 1.0)
@@ -92,15 +92,15 @@ def polynomial(terms: Vector, t: float, derivative: int) -> float:
 def least_inside(
     equation: Vector, omega: float, angle: float, grid: Matrix, form: Any, begins: int
 ) -> tuple[float, float]:
-    """Return the least value of a form at its critical points inside a phase, and when.
+    """Return the least value of a form at its critical points inside a phase, and its time.
 
-    Not a number without one.  Between two times of the grid its rate may change its sign, or
-    fall below zero and rise again: just behind a jump of the velocity at any scale.
+    NaN without one.  Between two times of the grid the rate may change its sign, or dip below
+    zero and come back, just behind a jump of the velocity at any scale.
 
     equation : ndarray, shape (5,)
         See `phase_numbers`.
     begins : int
-        The first derivative of the form that is not zero by itself where the phase begins.
+        Order of the first derivative of the form that is not identically zero at the start.
     """
     m, c, k, f, g = equation
     least, when, before, bent = nan, nan, 0.0, 0.0
@@ -117,7 +117,7 @@ def least_inside(
         if falls or dips:
             last, h = grid[i - 1], t - grid[i - 1, 0]
             terms = taylor(equation, omega, angle + omega * last[0], last[1], last[2], form)
-            u = rises(terms, deepest(terms, h) if dips else 0.0, h)
+            u = rises(terms, lowest_rate(terms, h) if dips else 0.0, h)
             value = polynomial(terms, u, 0)
             if not isnan(u) and (isnan(least) or value < least):
                 least, when = value, last[0] + u
@@ -125,10 +125,10 @@ def least_inside(
     return least, when
 
 
-def deepest(terms: Vector, h: float) -> float:
-    """Return where the rate of a polynomial is lowest in a time `h`; nan if it is not negative.
+def lowest_rate(terms: Vector, h: float) -> float:
+    """Return where the rate of a polynomial is least in a time `h`; NaN if it is not negative.
 
-    Its second derivative changes its sign, from minus.
+    Its second derivative changes from minus to plus.
     """
     low, high = 0.0, h
     for _ in range(HALVINGS):
@@ -143,7 +143,7 @@ def deepest(terms: Vector, h: float) -> float:
 def rises(terms: Vector, low: float, h: float) -> float:
     """Return where the rate of a polynomial, negative at `low`, rises through zero up to `h`.
 
-    By Newton's method, and by halves where that leaves what is left.
+    By Newton's method, with bisection where that leaves the bracket.
     """
     high, u = h, (low + h) / 2
     for _ in range(HALVINGS):
@@ -161,7 +161,7 @@ def rises(terms: Vector, low: float, h: float) -> float:
 
 
 def form_of(case: Any, z: Vector, row: int) -> Vector:
-    """Return a form in x, v, cos and 1, with the memory put in."""
+    """Return a form over x, v, cos and 1, with the memory inserted."""
     forms, count = case[5], len(case[0])
     found: Vector = forms[row, :4].copy()
     for i in range(len(case[2])):
@@ -170,15 +170,14 @@ def form_of(case: Any, z: Vector, row: int) -> Vector:
 
 
 def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) -> None:
-    """Fill in what is watched at an orbit, and its ends of displacement and velocity.
+    """Fill in the values of the watched forms, and the extremes of displacement and velocity.
 
     table : ndarray of int, shape (R, 5)
-        Of each form of the case; its columns are named above.
+        A row for each form of the case; the columns are named above.
     values : ndarray, shape (R, 3)
-        Filled; not a number where there is nothing to watch.
+        Filled: START, LEAST, END of each form; NaN where there is none.
     extremes : ndarray, shape (2, 2) or (0, 2)
-        Filled with the least and the largest displacement and velocity of the cell, if it has
-        rows.
+        Filled with least and largest displacement and velocity in the cell, if it has rows.
     """
     at, count, omega = places(case), len(case[0]), case[4][1]
     theta = angles(case, z, at)
@@ -218,7 +217,7 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
 
 
 def when_least(case: Any, table: Any, z: Vector, row: int) -> float:
-    """Return when in its phase a form has the least value at a critical point inside."""
+    """Return the time in its phase of the least value of a form at a critical point."""
     p, at = table[row, PHASE], places(case)
     angle = angles(case, z, at)[p]
     grid, form = sampled(case, z, p, angle), form_of(case, z, row)

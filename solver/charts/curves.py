@@ -23,7 +23,7 @@ GROWTH, TURN = 1.3, 0.95
 #: Most points of a curve, each way.
 MOST_POINTS = 1000
 
-#: What is watched beside the gauge is violated below the negative of it.
+#: What is watched beside the monitor is violated below the negative of it.
 ROUNDING = 1e-6
 
 #: How near a curve passes an event that lies on it, in the plane.
@@ -33,8 +33,8 @@ ON = 1e-8
 LOST, VIOLATED = "it cannot be followed", "beyond, its orbits are not admissible"
 REAL = "beyond, the multipliers whose product is 1 are real"
 
-#: Which gauge, from the last, vanishes at events of the orbit itself.
-GAUGES = {
+#: Which monitor, from the last, vanishes at events of the orbit itself.
+MONITORS = {
     kind: which - OWN
     for kind, which in (
         ("fold", MEETS), ("branch-point", MEETS), ("torus", PAIRS), ("flip", FLIP),
@@ -44,14 +44,14 @@ GAUGES = {
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """A curve of events: orbits of a plane on which a gauge vanishes; see `gauges_at`.
+    """A curve of events: orbits of a plane on which a monitor vanishes; see `monitors_at`.
 
     Its points are unknowns and both parameters; `why` it ends there, at either end.
     """
 
     kind: str
     plane: Plane
-    gauge: int
+    monitor: int
     points: tuple[Vector, ...]
     why: tuple[str, str]
 
@@ -61,58 +61,58 @@ def curves_of(happened: Iterable[Happening], planes: Sequence[Plane]) -> list[Cu
     found: list[Curve] = []
     for event in happened:
         plane = next((q for q in planes if q.course == event.course), None)
-        gauge = None if plane is None else _gauge(plane, event)
-        if plane is None or gauge is None:
+        monitor = None if plane is None else _monitor_of(plane, event)
+        if plane is None or monitor is None:
             continue
         y = plane.inside(event.point[None])[0]
         if not any(_passes(q, event.kind, y[-2:], event.across) for q in found):
-            found += _followed(event.kind, plane, gauge, y, event.across)
+            found += _followed(event.kind, plane, monitor, y, event.across)
     return found
 
 
-def _gauge(plane: Plane, event: Happening) -> int | None:
-    """Return which gauge of a plane vanishes at an event; None if it watches no such thing."""
-    what, number = event.gauge
+def _monitor_of(plane: Plane, event: Happening) -> int | None:
+    """Return which monitor of a plane vanishes at an event; None without such a one."""
+    what, number = event.monitor
     if isinstance(what, str):
-        return GAUGES[what]
+        return MONITORS[what]
     if what is None:
         return 3 * len(plane.rows) + number
     return 3 * plane.rows.index(what) + number if what in plane.rows else None
 
 
-def _followed(kind: str, plane: Plane, gauge: int, y: Vector, across: int) -> list[Curve]:
+def _followed(kind: str, plane: Plane, monitor: int, y: Vector, across: int) -> list[Curve]:
     """Return the curve through an event; none if it cannot be followed at all."""
-    first, direction = _pinned(plane, gauge, y, _unit(len(y), across))
+    first, direction = _pinned(plane, monitor, y, _unit(len(y), across))
     if first is None:
         return []
-    forth, why = _way(plane, gauge, first, direction)
+    forth, why = _way(plane, monitor, first, direction)
     if why == CLOSED:
-        return [Curve(kind, plane, gauge, (first, *forth, first), (why, why))]
-    back, before = _way(plane, gauge, first, -direction)
+        return [Curve(kind, plane, monitor, (first, *forth, first), (why, why))]
+    back, before = _way(plane, monitor, first, -direction)
     points = (*reversed(back), first, *forth)
-    return [Curve(kind, plane, gauge, points, (before, why))] if len(points) > 1 else []
+    return [Curve(kind, plane, monitor, points, (before, why))] if len(points) > 1 else []
 
 
-def _way(plane: Plane, gauge: int, y: Vector, direction: Vector) -> tuple[list[Vector], str]:
+def _way(plane: Plane, monitor: int, y: Vector, direction: Vector) -> tuple[list[Vector], str]:
     """Return the points behind one, on the side of a direction, and why they end."""
     first, ahead, weights = y, direction, np.append(plane.series.weights, 1.0)
-    watched = np.abs(_gauges(plane, y)) > ROUNDING  # or there is none as yet
-    watched |= np.isnan(_gauges(plane, y))
-    watched[-OWN:], watched[gauge] = False, False
+    watched = np.abs(_monitors(plane, y)) > ROUNDING  # or there is none as yet
+    watched |= np.isnan(_monitors(plane, y))
+    watched[-OWN:], watched[monitor] = False, False
     points: list[Vector] = []
     length, growth, why = FIRST, GROWTH, LOST
     while len(points) < MOST_POINTS:
         seen = float(np.abs(direction[-2:]).max())
         length = min(length, MOST, MOST_SEEN / seen if seen else MOST)
-        there, tangent = _pinned(plane, gauge, y + length * direction / weights, direction)
+        there, tangent = _pinned(plane, monitor, y + length * direction / weights, direction)
         accepted = there is not None and tangent @ direction >= TURN
         if there is not None and accepted:
             if np.abs(there[-2:]).max() > 1:
-                end = _edge(plane, gauge, y, there)
+                end = _edge(plane, monitor, y, there)
                 return ([*points, end], RANGE) if end is not None else (points, LOST)
-            if (_gauges(plane, there)[watched] < -ROUNDING).any():
+            if (_monitors(plane, there)[watched] < -ROUNDING).any():
                 accepted, growth, why = False, 1.0, VIOLATED
-            elif gauge == GAUGES["torus"] and not _turns(plane, there):
+            elif monitor == MONITORS["torus"] and not _turns(plane, there):
                 accepted, growth, why = False, 1.0, REAL
         if there is None or not accepted:
             length /= 2
@@ -139,7 +139,7 @@ def _turns(plane: Plane, y: Vector) -> bool:
     return bool(abs(values[one[nearest]].imag) > TURNED)
 
 
-def _edge(plane: Plane, gauge: int, y: Vector, there: Vector) -> Vector | None:
+def _edge(plane: Plane, monitor: int, y: Vector, there: Vector) -> Vector | None:
     """Return where a step leaves the rectangle; None if that is not found."""
     ends = np.sign(there[-2:])
     with np.errstate(divide="ignore", invalid="ignore"):  # along an edge, or straight across
@@ -148,7 +148,7 @@ def _edge(plane: Plane, gauge: int, y: Vector, there: Vector) -> Vector | None:
     which = int(np.argmin(parts))
     start = y + parts[which] * (there - y)
     start[which - 2] = ends[which]
-    return _pinned(plane, gauge, start, _unit(len(y), which))[0]
+    return _pinned(plane, monitor, start, _unit(len(y), which))[0]
 
 
 def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
@@ -166,7 +166,7 @@ def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
             return True
         if off > MOST_SEEN:
             continue
-        there, _ = _pinned(curve.plane, curve.gauge, y, _unit(len(y), across))
+        there, _ = _pinned(curve.plane, curve.monitor, y, _unit(len(y), across))
         if there is not None and abs(there[along] - at[1 - across]) <= ON:
             return True
     return False
@@ -179,16 +179,16 @@ def _unit(size: int, which: int) -> Vector:
     return found
 
 
-def _gauges(plane: Plane, y: Vector) -> Vector:
-    found: Vector = by("gauges_at", plane, y)
+def _monitors(plane: Plane, y: Vector) -> Vector:
+    found: Vector = by("monitors_at", plane, y)
     return found
 
 
 def _pinned(
-    plane: Plane, gauge: int, y: Vector, border: Vector
+    plane: Plane, monitor: int, y: Vector, border: Vector
 ) -> tuple[Vector | None, Vector]:
     """Return where Newton's method leads across a border, None if nowhere, and the tangent."""
-    number = len(_gauges(plane, y)) + gauge if gauge < 0 else gauge
+    number = len(_monitors(plane, y)) + monitor if monitor < 0 else monitor
     found = y.copy()
     converged, direction = by("pinned", plane, number, found, border)
     return (found if converged else None), direction

@@ -16,7 +16,14 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..branch.extended import CORRECTIONS, FALL, case_at, equations, moved, waves_at
+from ..branch.extended import (
+    CORRECTIONS,
+    FALL,
+    case_at,
+    chebyshev_at,
+    newton_step,
+    residual_and_jacobian,
+)
 from ..branch.watch import watched
 from ..iteration.iteration import scale_rows
 from ..iteration.linear import factorise
@@ -35,7 +42,7 @@ DOWN, ALONG = (0, 0, 1, -1), (1, -1, 0, 0)
 def row_of(plane: Any, b: float) -> Any:
     """Return the equations along the first parameter, as `extended` takes them."""
     kinds, setting, series, divided, weights, before, sign, known = plane
-    waves = waves_at(b, series.shape[2])
+    waves = chebyshev_at(b, series.shape[2])
     rows = series.reshape(-1, len(waves))
     found = np.dot(rows, waves).reshape(series.shape[0], series.shape[1])
     return kinds, setting, found, divided, weights, before, sign, known
@@ -51,7 +58,7 @@ def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, flo
     J, scales, rows = np.empty((n, n)), np.empty(n), np.empty(n, np.int64)
     step, before, fall, sign = np.empty(n), np.inf, 0.0, 0.0
     for turn in range(CORRECTIONS):
-        equations(case, plane[3], z, step, J)
+        residual_and_jacobian(case, plane[3], z, step, J)
         for i in range(n):
             J[i] /= weights[:n]
         scale_rows(J, scales)
@@ -60,7 +67,7 @@ def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, flo
         sign = 1.0
         for j in range(n):
             sign = -sign if (J[j, j] < 0) != (rows[j] != j) else sign
-        size = moved(z, step, J, rows, scales, weights)
+        size = newton_step(z, step, J, rows, scales, weights)
         if not isfinite(size):
             return False, fall, sign
         if turn == 1:

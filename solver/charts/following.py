@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..branch.extended import DIFFERENCE, SMALL, left_sides, rates
-from ..branch.walk import look
+from ..branch.extended import DIFFERENCE, SMALL, jacobian_along, residual_along
+from ..branch.walk import tangent_and_monitors
 from ..iteration.iteration import ROUNDOFF, scale_rows
 from ..iteration.linear import factorise, solve_factorised
 from .filling import row_of
@@ -26,32 +26,34 @@ MOST_CORRECTIONS, FRESH = 16, 3
 FALLING, QUICK = 0.7, 0.1
 
 
-def gauges_at(plane: Any, table: Any, y: Vector) -> Vector:
+def monitors_at(plane: Any, table: Any, y: Vector) -> Vector:
     """Return what is watched at an orbit; the last is the determinant of the equations."""
     n = len(y) - 2
     border, extremes, maps = np.zeros(n + 1), np.empty((2, 2)), np.empty((2, 0, 0))
     border[n] = 1.0
-    _, found = look(row_of(plane, y[n + 1]), table, y[: n + 1], border, extremes, maps)
-    gauges: Vector = found
-    return gauges
+    _, found = tangent_and_monitors(
+        row_of(plane, y[n + 1]), table, y[: n + 1], border, extremes, maps
+    )
+    monitors: Vector = found
+    return monitors
 
 
-def sides(plane: Any, table: Any, gauge: int, y: Vector, R: Vector) -> None:
-    """Fill R with the left sides of the equations, the gauge and zero."""
+def sides(plane: Any, table: Any, monitor: int, y: Vector, R: Vector) -> None:
+    """Fill R with the left sides of the equations, the monitor and zero."""
     n = len(y) - 2
-    left_sides(row_of(plane, y[n + 1]), y[:n], y[n], R[:n])
-    R[n], R[n + 1] = gauges_at(plane, table, y)[gauge], 0.0
+    residual_along(row_of(plane, y[n + 1]), y[:n], y[n], R[:n])
+    R[n], R[n + 1] = monitors_at(plane, table, y)[monitor], 0.0
 
 
-def slopes(plane: Any, table: Any, gauge: int, y: Vector, border: Vector, J: Matrix) -> None:
+def slopes(plane: Any, table: Any, monitor: int, y: Vector, border: Vector, J: Matrix) -> None:
     """Fill J with their derivatives in coordinates of size 1, over a row."""
     n, weights = len(y) - 2, plane[4]
     first = np.empty((n, n + 1))
-    rates(row_of(plane, y[n + 1]), y[:n], y[n], first)
+    jacobian_along(row_of(plane, y[n + 1]), y[:n], y[n], first)
     J[:n, : n + 1] = first
     above, below = np.empty(n), np.empty(n)
-    left_sides(row_of(plane, y[n + 1] + DIFFERENCE), y[:n], y[n], above)
-    left_sides(row_of(plane, y[n + 1] - DIFFERENCE), y[:n], y[n], below)
+    residual_along(row_of(plane, y[n + 1] + DIFFERENCE), y[:n], y[n], above)
+    residual_along(row_of(plane, y[n + 1] - DIFFERENCE), y[:n], y[n], below)
     for i in range(n):
         J[i, n + 1] = (above[i] - below[i]) / (2 * DIFFERENCE)
     for j in range(n + 2):
@@ -60,14 +62,14 @@ def slopes(plane: Any, table: Any, gauge: int, y: Vector, border: Vector, J: Mat
         for k in range(2):
             other = y.copy()
             other[j] += (1 - 2 * k) * DIFFERENCE / weight
-            ends[k] = gauges_at(plane, table, other)[gauge]
+            ends[k] = monitors_at(plane, table, other)[monitor]
         for i in range(n):
             J[i, j] /= weight
         J[n, j], J[n + 1, j] = (ends[0] - ends[1]) / (2 * DIFFERENCE), border[j]
 
 
 def pinned(
-    plane: Any, table: Any, gauge: int, y: Vector, border: Vector
+    plane: Any, table: Any, monitor: int, y: Vector, border: Vector
 ) -> tuple[bool, Vector]:
     """Lead `y` to the curve across a border; whether it gets there, and the unit tangent.
 
@@ -80,10 +82,10 @@ def pinned(
     direction[n - 1] = 1.0
     formed, fresh = 0, True
     for turn in range(MOST_CORRECTIONS):
-        sides(plane, table, gauge, y, step)
+        sides(plane, table, monitor, y, step)
         if fresh:
             formed += 1
-            slopes(plane, table, gauge, y, border, J)
+            slopes(plane, table, monitor, y, border, J)
             scale_rows(J, scales)
             if not factorise(J, rows):
                 return False, direction

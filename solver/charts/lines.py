@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..branch.branch import Both
+from ..branch.branch import BothWays
 from ..branch.course import Course, Row
 from ..branch.locate import OF_THE_ORBIT, Found
 from ..branch.piece import Piece, Place
@@ -18,7 +18,7 @@ from .plane import Bounds
 VALUES = 5
 
 #: What vanishes at an event: a form, and where in it; a duration, of which phase; or a word.
-Gauge = tuple[Row | str | None, int]
+Monitor = tuple[Row | str | None, int]
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class Happening:
 
     kind: str
     course: Course
-    gauge: Gauge
+    monitor: Monitor
     point: Vector
     across: int
 
@@ -76,7 +76,7 @@ def line_of(case: Case, names: tuple[str, str], bounds: Bounds, across: int) -> 
     return stretches, happened
 
 
-def _stretches(value: float, both: Both, across: int) -> Iterator[Stretch]:
+def _stretches(value: float, both: BothWays, across: int) -> Iterator[Stretch]:
     for segment in (*both.back, *both.forth):
         points = segment.points[1:-1] or segment.points[:1]  # something happens at the ends
         if points:
@@ -86,9 +86,9 @@ def _stretches(value: float, both: Both, across: int) -> Iterator[Stretch]:
             yield Stretch(piece.course, middle, np.array(found))
 
 
-def _happenings(value: float, both: Both, across: int) -> Iterator[Happening]:
+def _happenings(value: float, both: BothWays, across: int) -> Iterator[Happening]:
     for found in both.events():
-        if found.gauge >= 0:
+        if found.monitor >= 0:
             point = _point(value, found.piece, found.place, across)
             yield Happening(found.kind, found.piece.course, gauge_of(found), point, across)
 
@@ -100,9 +100,9 @@ def _point(value: float, piece: Piece, place: Place, across: int) -> Vector:
     return np.concatenate([y, where if across == 1 else where[::-1]])
 
 
-def gauge_of(found: Found) -> Gauge:
+def gauge_of(found: Found) -> Monitor:
     """Return what vanishes at an event."""
-    piece, i = found.piece, found.gauge
+    piece, i = found.piece, found.monitor
     forms, phases = 3 * len(piece.rows), len(piece.along.kinds)
     if i < forms:
         return piece.rows[i // 3], i % 3

@@ -18,7 +18,7 @@ from nonsmooth.solver.branch.along import Interval
 from nonsmooth.solver.branch.bodies import watched, ways
 from nonsmooth.solver.branch.bodies.arrays import UNKNOWN
 from nonsmooth.solver.branch.branch import course_of, start_of
-from nonsmooth.solver.branch.extended import case_at, left_sides, rates
+from nonsmooth.solver.branch.extended import case_at, jacobian_along, residual_along
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import arrays
 from nonsmooth.solver.kernels import registry
@@ -62,13 +62,13 @@ def test_the_derivatives_are_those_of_the_equations(motion) -> None:
     for equations in (there.along, divided):  # rows divided by durations too
         n = len(place.y) - 1
         J, step = np.empty((n, n + 1)), 1e-6
-        rates(equations, place.y[:-1], place.y[-1], J)
+        jacobian_along(equations, place.y[:-1], place.y[-1], J)
         for column in range(n + 1):
             ends = []
             for side in (step, -step):
                 y, R = place.y.copy(), np.empty(n)
                 y[column] += side
-                left_sides(equations, y[:-1], y[-1], R)
+                residual_along(equations, y[:-1], y[-1], R)
                 ends.append(R)
             difference = (ends[0] - ends[1]) / (2 * step)
             np.testing.assert_allclose(J[:, column], difference, rtol=1e-6, atol=1e-7)
@@ -83,12 +83,12 @@ def test_divided_equations_and_derivatives_have_a_limit(motion) -> None:
     for s in (0.0, 1e-17, -1e-12):
         z, J, R = place.y[:-1].copy(), np.empty((n, n + 1)), np.empty((2, n))
         z[along.before] = s
-        rates(along, z, 0.3, J)
+        jacobian_along(along, z, 0.3, J)
         for j in range(n):
             for side in (0, 1):
                 other = z.copy()
                 other[j] += (1 - 2 * side) * 1e-5
-                left_sides(along, other, 0.3, R[side])
+                residual_along(along, other, 0.3, R[side])
             found = (R[0] - R[1]) / 2e-5
             np.testing.assert_allclose(J[:, j], found, rtol=1e-5, atol=1e-5)
 
@@ -104,9 +104,9 @@ def test_the_determinant_of_singular_equations_is_zero() -> None:
 @pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: motion.label)
 def test_what_is_watched_is_not_negative_on_an_orbit(motion) -> None:
     there, place = started(motion)
-    gauges = place.gauges[: -walk.OWN]
-    assert not (gauges < 0).any()
-    assert (gauges[-len(there.along.kinds) :] > 0).all()
+    monitors = place.monitors[: -walk.OWN]
+    assert not (monitors < 0).any()
+    assert (monitors[-len(there.along.kinds) :] > 0).all()
     orbit = there.orbit(place.y)
     assert orbit is not None
     ends = [place.extremes[j] * there.case.units.of_motion(j) for j in (0, 1)]
@@ -156,8 +156,8 @@ def test_from_the_branch_itself_corrections_do_not_count() -> None:
     for motion in MOTIONS:
         there, place = started(motion)
         own, y = walk.FAMILY.plain(walk.__name__)["corrected"], place.y.copy()
-        own(there.along, y, place.direction)
-        assert own(there.along, y, place.direction) == (True, 0.0)
+        own(there.along, y, place.tangent)
+        assert own(there.along, y, place.tangent) == (True, 0.0)
 
 
 def test_compiled_and_plain_steps_have_the_same_bits() -> None:
@@ -166,7 +166,7 @@ def test_compiled_and_plain_steps_have_the_same_bits() -> None:
         results = []
         for make in (walk.FAMILY.plain, walk.FAMILY.compiled):
             own = make(walk.__name__)
-            converged, fall, y = own["stepped"](there.along, place.y, place.direction, 0.01)
+            converged, fall, y = own["stepped"](there.along, place.y, place.tangent, 0.01)
             assert converged
             results.append([fall, *y])
         assert results[0] == results[1]

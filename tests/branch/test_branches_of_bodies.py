@@ -15,11 +15,11 @@ from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.branch.bodies import equations
 from nonsmooth.solver.branch.bodies.arrays import case_of
 from nonsmooth.solver.branch.bodies.course import BodyCourse
-from nonsmooth.solver.branch.branch import Both, go, start_of
+from nonsmooth.solver.branch.branch import BothWays, go, start_of
 from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.branch.rows import row_of
 from nonsmooth.solver.charts import curves, lines
-from nonsmooth.solver.charts.curves import GAUGES, REAL, _followed
+from nonsmooth.solver.charts.curves import MONITORS, REAL, _followed
 from nonsmooth.solver.charts.plane import Plane
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
@@ -149,7 +149,7 @@ UNSTABLE = {
 def test_what_is_unstable_changes_only_where_something_happens(name: str) -> None:
     values, vary, ends, expected = UNSTABLE[name]
     start = exact_orbit(ns.scene("chain-impact")(**values).with_value(vary, ends[0]))
-    found = Both(index_of(start.case, vary))
+    found = BothWays(index_of(start.case, vary))
     go(found, start_of(start, found.index, ends), PART)
     events = {id(event.place): event for event in found.events()}
     kinds = Counter(event.kind for event in events.values() if not event.changes)
@@ -192,7 +192,7 @@ def test_a_torus_begins_where_its_multipliers_are_one(monkeypatch) -> None:
     """Next to a fold, and in the same step: two multipliers come out and one goes back."""
     own = case("impact-2-neimark-sacker").with_value("restitution", 0.65)
     start = exact_orbit(own.with_value("frequency", 0.9))
-    found = Both(index_of(own, "frequency"))
+    found = BothWays(index_of(own, "frequency"))
     go(found, start_of(start, found.index, (0.87, 0.9)))
     (fold,) = [event for event in found.events() if event.kind == "fold"]
     (torus,) = [event for event in found.events() if event.kind == "torus"]
@@ -202,7 +202,7 @@ def test_a_torus_begins_where_its_multipliers_are_one(monkeypatch) -> None:
     plane = Plane.over(piece.course, piece.course.case(piece.case), indices, ends, z)
     first = plane.inside(np.array([[*z, torus.value, 0.65]]))[0]
     monkeypatch.setattr(curves, "MOST_SEEN", 0.15)
-    (curve,) = _followed("torus", plane, GAUGES["torus"], first, 1)
+    (curve,) = _followed("torus", plane, MONITORS["torus"], first, 1)
     assert curve.why == ("the end of the range", REAL)
     pairs = []
     for y in curve.points[::2]:
@@ -268,12 +268,12 @@ def test_ever_more_impacts_end_a_branch(monkeypatch) -> None:
 def test_an_orbit_that_loses_an_impact_keeps_its_cycles() -> None:
     """Of twice the period, with two impacts and then with one: not that of one period."""
     bounds, start = (1.66, 1.709), exact_orbit(ns.scene("chain-impact")(frequency=1.66))
-    single = Both(index_of(start.case, "frequency"))
+    single = BothWays(index_of(start.case, "frequency"))
     go(single, start_of(start, single.index, bounds), PART)
     (flip,) = [event for event in single.events() if event.kind == "flip"]
     begin = doubled(flip)
     assert begin is not None
-    double = Both(single.index, begin[0].course)
+    double = BothWays(single.index, begin[0].course)
     go(double, begin, PART)
     piece, place = double.forth[-1].points[-1]
     assert (len(piece.course.order.steps), piece.course.cycles) == (1, 2)
@@ -305,7 +305,7 @@ def test_equations_have_the_exact_orbit_as_solution_and_right_derivatives(name: 
 
     def filled(z: np.ndarray, divided: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         R, J = np.empty(n), np.empty((n, n))
-        equations.equations(arrays, divided, z, R, J)
+        equations.residual_and_jacobian(arrays, divided, z, R, J)
         return R, J
 
     for divided in np.eye(len(cell.phases) + 1, len(cell.phases)):  # each, and none

@@ -61,10 +61,10 @@ def test_states_grow_as_exact_exponentials(omega: float, damping: float) -> None
         way = ways.way_of((None, generator[None], *[None] * 5, known), 0)
         found = way[4] @ ways.added(way, t, way[5])
         assert found == pytest.approx(wanted, abs=3e-14 * size)
-        assert exponential.less_one(generator, t) == pytest.approx(wanted, abs=3e-13 * size)
+        assert exponential.exp_less_one(generator, t) == pytest.approx(wanted, abs=3e-13 * size)
     short = 0.2 / np.abs(generator).sum(axis=1).max() * generator
     wanted = exact(short, 1.0) - short - short @ short / 2
-    assert exponential.less_three(short, 1.0) == pytest.approx(wanted, abs=1e-15)
+    assert exponential.exp_less_three_terms(short, 1.0) == pytest.approx(wanted, abs=1e-15)
 
 
 @OMEGAS

@@ -85,7 +85,7 @@ def at_the_limit(case: Case, force: Callable[[float], float], near: float) -> fl
 
 
 def test_a_slip_vanishes_where_friction_just_holds() -> None:
-    """Both masses then move as one, which is no branch to follow: it ends.
+    """BothWays masses then move as one, which is no branch to follow: it ends.
 
     At the case's own frequency, at the ends and in the middle they do, too.
     """

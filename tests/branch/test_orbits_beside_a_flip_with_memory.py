@@ -9,7 +9,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
-from nonsmooth.solver.branch.branch import Both, go, start_of
+from nonsmooth.solver.branch.branch import BothWays, go, start_of
 from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.scenes.case import index_of
@@ -102,12 +102,12 @@ def test_the_same_as_a_body_has_the_same_flips() -> None:
     mass, body = (ns.scene(scene(body=q))(frequency=2.073) for q in (False, True))
     orbit = ns.exact(mass)
     start = exact_orbit(body, orbit.durations, orbit.forcing_phase)
-    single = Both(index_of(body, "frequency"))
+    single = BothWays(index_of(body, "frequency"))
     go(single, start_of(start, single.index, ENDS))
     (flip,) = single.events()
     begin = doubled(flip)
     assert begin is not None
-    double = Both(single.index, begin[0].course)
+    double = BothWays(single.index, begin[0].course)
     go(double, begin)
     (second,) = [event for event in double.events() if event.kind == "flip"]
     assert [flip.value, second.value] == pytest.approx(FLIPS, rel=1e-13)

@@ -22,7 +22,7 @@ def in_order(cell: BodyCell, rows: Matrix) -> Matrix:
 
 
 def arrays(cell: BodyCell, forms: Sequence[Form]) -> list[Matrix]:
-    """Return the arrays of a cell as `equations.case_at` has them, behind its first."""
+    """Return the arrays of a cell as `equations.case_at` has them, without the first."""
     parts, count = parts_of(cell), len(cell.phases)
     states = parts[0].switch.state.shape[0]
     width = states + 3
@@ -40,15 +40,15 @@ def arrays(cell: BodyCell, forms: Sequence[Form]) -> list[Matrix]:
     ]
 
 
-#: What is nothing of a form, as a part of its largest entry.
+#: Size of entries of a form that are rounding, relative to the largest.
 FLAT = 1e-11
 
 
 def begins_slowly(cell: BodyCell, p: int) -> int:
-    """Return how often the event of a phase is zero where it begins, with its rates: up to 3.
+    """Return how many of an event and its first two rates vanish where its phase begins.
 
-    All follow from what is so where the phase before ends: by its event and, if it is held,
-    by its speed, and where it is held, if it began there and has none.
+    They do if they are combinations of what is known at the end of the phase before: its event,
+    and if it is held, its speed and, without speed, its place.
     """
     generators, switches, events, seen, *_ = arrays(cell, [])
     before, mirrored = cell.phases[p - 1], np.ones(len(events[0]))
@@ -70,26 +70,25 @@ def begins_slowly(cell: BodyCell, p: int) -> int:
     return int(np.cumprod(zero).sum())
 
 
-#: What rates may differ by, as a part of the largest of a row, that do not vary.
+#: Relative difference of rates that do not depend on the parameter.
 SAME = 1e-13
 
 
 class Known(NamedTuple):
-    """What is known of the arrays of a cell along a parameter.
+    """What does not depend on the parameter, of the arrays of a cell.
 
     Parameters
     ----------
     poles : ndarray of complex, shape (P, m)
-        Of each phase, one of each pair; not numbers where a pole depends on the parameter, or
-        nothing holds the body.  No rows where none is known.
+        Of each phase, one of each pair; NaN where the poles depend on the parameter, or the
+        body moves freely.  No rows if none is known.
     basis, inverse : ndarray, shape (P, n, 2 m), (P, 2 m, n)
-        Of places and velocities, without their scales: the real parts of the vectors of the
-        poles, and less the imaginary ones; the real parts of the forms that are the parts
-        along them, and the imaginary ones.
+        The eigenvectors of displacements and velocities (not scaled), real parts and minus the
+        imaginary parts; the rows of the inverse basis, real and imaginary parts.
     constant : ndarray
-        All entries, where the parameter has no part in them.
+        All entries; of those that vary, the first coefficient.
     varying : ndarray of int
-        Those which it has a part in: their series stand alone.
+        The entries that vary: only these have a series.
     """
 
     poles: Complex
@@ -99,23 +98,23 @@ class Known(NamedTuple):
     varying: Indices
 
 
-#: Eigenbases of a cell of which none is known.
+#: The eigenbases of a cell without any known.
 UNKNOWN = np.empty((0, 0), dtype=complex), np.empty((0, 0, 0)), np.empty((0, 0, 0))
 
 
 def known_of(
     cell: BodyCell, others: Iterable[BodyCell], series: Matrix
 ) -> tuple[Matrix, Known]:
-    """Return the series of the entries that vary, and what is known of a cell.
+    """Return the series of the entries that vary, and what does not.
 
     Parameters
     ----------
     cell : BodyCell
-        At one value of the parameter, or of both.
+        At one value of the parameter, or of two parameters.
     others : iterable of BodyCell
-        At others.
+        At other values.
     series : ndarray, shape (entries, ...)
-        Of all entries, by one parameter or two.
+        Of all entries, in one parameter or two.
     """
     rows, parts = series.reshape(len(series), -1), parts_of(cell)
     varying = np.flatnonzero(rows[:, 1:].any(axis=1))
@@ -131,7 +130,7 @@ def known_of(
 
 
 def _of_places(part: Part) -> Matrix:
-    """Return the rates of a body by its places and velocities, without their scales."""
+    """Return the matrix of the rates of displacements and velocities, not scaled."""
     found, n = part.lawful.A.copy(), len(part.lawful.A) // 2
     found[n:, :n] *= np.diag(found[:n, n:])
     found[:n, n:] = np.eye(n)
@@ -139,7 +138,7 @@ def _of_places(part: Part) -> Matrix:
 
 
 def _held(part: Part) -> tuple[Complex, Complex, Complex] | None:
-    """Return poles and eigenbasis of a phase, one of each pair, if something holds the body."""
+    """Return poles and eigenbasis, one of each pair; None for a body that moves freely."""
     n = len(part.lawful.A) // 2
     scales = np.append(np.diag(part.lawful.A[:n, n:]), np.ones(n))
     try:
@@ -154,7 +153,7 @@ def _held(part: Part) -> tuple[Complex, Complex, Complex] | None:
 def _known(
     own: Sequence[tuple[Complex, Complex, Complex] | None], constant: Vector, varying: Indices
 ) -> Known:
-    """Return what is known of phases as one array of each."""
+    """Return the eigenbases of phases as arrays."""
     found = [each for each in own if each]
     if not found:
         return Known(*UNKNOWN, constant, varying)

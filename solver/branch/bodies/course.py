@@ -1,4 +1,4 @@
-"""The order of phases that a part of a branch of a body has, and what is watched along it."""
+"""The equations of an order of phases of a body along a branch, and its watched forms."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeAlias
@@ -24,12 +24,12 @@ from .arrays import arrays, begins_slowly, case_of, in_order, known_of
 #: A `BodyCell`: a scene of a body has no other.
 Cell: TypeAlias = Any
 
-#: What stands for functions of the same names.
+#: Modules whose functions replace those of the same names.
 OWN = exponential, factors, equations, ways, watched
 
 
 def linked(module: Any, make: linking.Make) -> dict[str, Any]:
-    """Return the functions of a branch, over the equations of bodies."""
+    """Return the functions of a branch, linked to the equations of bodies."""
     return linking.made((*walk.MODULES, module, *OWN), {}, make)
 
 
@@ -54,7 +54,7 @@ class BodyCourse(Course):
         return np.repeat(np.arange(len(known)), [block.size for block in known])
 
     def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
-        """Return the arrays of a cell by their series; the size of its state is one number."""
+        """Return the equations of a cell from their series; the states have one scale."""
         count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)
         memory = slice(before - len(cell.memory), before)
@@ -74,11 +74,11 @@ class BodyCourse(Course):
 
     @property
     def mapped(self) -> int:
-        """None: of many modes the maps of all orbits would be too much to keep."""
+        """0: the maps of all orbits would take too much memory."""
         return 0
 
     def perturbed(self, along: Along) -> int:
-        """Return how many numbers a state has, with its memory."""
+        """Return the size of the state, with its memory."""
         return along.before
 
     def unknowns(self, orbit: ExactOrbit) -> Vector:
@@ -96,10 +96,10 @@ class BodyCourse(Course):
 
     def states(self, case: Any, y: Vector) -> list[tuple[float, ...]]:
         """Return the states, with the memory, in which the phases begin."""
-        return [tuple(map(float, Y[:-3])) for Y in equations.starts(case, y[:-1])]
+        return [tuple(map(float, Y[:-3])) for Y in equations.initial_states(case, y[:-1])]
 
     def halves(self, y: Vector) -> Vector:
-        """Return nothing: one state alone is among the unknowns."""
+        """Return nothing: the unknowns have one state only."""
         return y[:0]
 
     def gathered(
@@ -125,23 +125,23 @@ class BodyCourse(Course):
         return from_times(own, RoughTimes(times[:count], angle, "a branch"))
 
     def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
-        """Return what a cell makes of perturbations, and its size: computed again."""
+        """Return the derivative of the map over a cell, and its size, computed anew."""
         with np.errstate(all="ignore"):  # an event may be touched there
             found, size, _ = equations.cell_map(case, z, kept, 0.0)
         return found, size
 
     def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
-        """Return the state, with the memory, at a time from the beginning of a phase."""
+        """Return the state, with the memory, at time t of phase p."""
         return tuple(map(float, equations.state_at(case, z, p, t)[:-3]))
 
     def moving_at(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
-        """Return displacement and velocity of the first contact there."""
+        """Return displacement and velocity of the first contact at time t of phase p."""
         return tuple(map(float, case[4][p] @ equations.state_at(case, z, p, t)))
 
     def velocity_behind(self, cell: Cell, z: Vector, p: int) -> float | None:
-        """Return that of the first contact behind a phase, where another could hold it.
+        """Return the velocity of the first contact behind phase p, where it could be held.
 
-        Of bodies without a memory, where it does not jump.
+        Not for bodies with a memory, nor where the velocity jumps.
         """
         jumps = any(jump != (1.0, 0.0) for jump in cell.phases[p].jumps)
         return None if jumps or cell.memory else super().velocity_behind(cell, z, p)
@@ -153,9 +153,9 @@ class BodyCourse(Course):
         return [tuple(map(float, in_order(cell, form @ own))) for form, own in forms]
 
     def before(self, cell: Cell, node: Any, row: Row) -> Form:
-        """Return what a phase that could hold the contact behind a switch demands.
+        """Return a demand of the phase that could hold the contact behind a switch.
 
-        As a form of what is seen before the switch: the forces are then by that phase's laws.
+        As a form of the state before the switch, with the forces by the laws of that phase.
         """
         _, form = node.demands[row.number]
         through = np.array([under(cell, node, each, 1) for each in np.eye(len(form))])
@@ -168,5 +168,5 @@ class BodyCourse(Course):
     def terms(self, case: Any, z: Vector, p: int, i: int) -> Vector:
         """Return the Taylor coefficients of form `i` where a phase begins."""
         own = ways.expanded(ways.way_of(case, p), case[6][i])
-        found: Vector = own @ equations.starts(case, z)[p]
+        found: Vector = own @ equations.initial_states(case, z)[p]
         return found

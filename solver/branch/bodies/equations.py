@@ -1,13 +1,12 @@
-"""The exact equations of a body along a parameter, over arrays, as steps of a branch take them.
+"""The exact equations of a body along a parameter, over arrays, for the steps of a branch.
 
-A state is ``Y = (X, cos, sin, 1)``: X is that of the modes and the memory, the rest the angle
-of the forcing.  In phase p it moves by ``Y' = G_p Y``, and the switch behind it is ``S_p``:
+The state is ``Y = (X, cos, sin, 1)``: X has the modes and the memory, cos and sin are of the
+phase of the forcing.  In phase p ``Y' = G_p Y``, and ``S_p`` is the switch at its end:
 
     Y_(p+1) = S_p exp(G_p s_p) Y_p,    e_p exp(G_p s_p) Y_p = 0,    X_0 = sigma X_P.
 
-Unknown are ``X_0``, the durations ``s_p`` and, if something forces, its angle at the beginning.
-With the times alone nothing can be solved for at a fold, where the cell that is closed has a
-multiplier of 1.
+Unknowns are ``X_0``, the durations ``s_p`` and, with a forcing, its phase at the start.
+``X_0`` could be eliminated by periodicity, but not at a fold, where a multiplier is 1.
 
 The functions stand for those of the same names in `extended`, `cell_map` and `walk`.  Plain
 Python, or compiled by numba.
@@ -23,17 +22,16 @@ from ...iteration.linear import product
 from ...stability.cell_map import lasting
 from ..extended import A_MOMENT, AN_INSTANT, DIFFERENCE, series_at
 from ..walk import outside
-from .exponential import SHORT, less_three, less_two, norm
+from .exponential import SHORT, exp_less_three_terms, exp_less_two_terms, norm
 from .ways import gained
 
 
 def case_at(along: Any, q: float) -> Any:
     """Return the arrays of the cell at a value of the parameter.
 
-    The numbers of its kinds; generators and switches, shape (P, W, W); events, (P, W);
-    displacement and velocity of the first contact, (P, 2, W); sigma, the angular frequency and
-    the duration of the cell; forms that are watched, (R, W); the eigenbases that are known, see
-    `arrays.Known`.
+    In order: the kinds of phases; generators and switches, shape (P, W, W); events, (P, W);
+    displacement and velocity of the first contact, (P, 2, W); sigma, angular frequency and
+    duration of the cell; watched forms, (R, W); known eigenbases, see `arrays.Known`.
     """
     count, width = len(along[0]), along[1][0]
     poles, basis, inverse, constant, varying = along[7]
@@ -53,7 +51,7 @@ def case_at(along: Any, q: float) -> Any:
     )
 
 
-def begun(case: Any, z: Vector) -> Vector:
+def initial_state(case: Any, z: Vector) -> Vector:
     """Return the state Y in which the cell begins."""
     states = case[1].shape[1] - 3
     found = np.ones(states + 3)
@@ -63,43 +61,43 @@ def begun(case: Any, z: Vector) -> Vector:
     return found
 
 
-def starts(case: Any, z: Vector) -> Matrix:
+def initial_states(case: Any, z: Vector) -> Matrix:
     """Return the state Y in which each phase begins, shape (P, W)."""
     generators, switches = case[1], case[2]
     states = generators.shape[1] - 3
     found = np.empty((len(generators), states + 3))
-    found[0] = begun(case, z)
+    found[0] = initial_state(case, z)
     for p in range(len(generators) - 1):
-        found[p + 1] = switches[p] @ later(case, p, z[states + p], found[p])
+        found[p + 1] = switches[p] @ state_after(case, p, z[states + p], found[p])
     return found
 
 
-def later(case: Any, p: int, t: float, Y: Vector) -> Vector:
-    """Return what a state becomes in a phase in a time."""
+def state_after(case: Any, p: int, t: float, Y: Vector) -> Vector:
+    """Return a state a time later in a phase."""
     found: Vector = Y + gained(case, p, t, Y.reshape(-1, 1))[:, 0]
     return found
 
 
 def state_at(case: Any, z: Vector, p: int, t: float) -> Vector:
     """Return the state Y at a time from the beginning of a phase."""
-    return later(case, p, t, starts(case, z)[p])
+    return state_after(case, p, t, initial_states(case, z)[p])
 
 
-def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
-    """Fill R with the left sides of the equations at a value of the parameter."""
-    equations(case_at(along, q), along[3], z, R, np.empty((len(z), 0)))
+def residual_along(along: Any, z: Vector, q: float, R: Vector) -> None:
+    """Fill R with the residual of the equations at a value of the parameter."""
+    residual_and_jacobian(case_at(along, q), along[3], z, R, np.empty((len(z), 0)))
 
 
-def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
-    """Fill R with the left sides of the equations of a cell, J with their derivatives by z.
+def residual_and_jacobian(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
+    """Fill R with the residual of the equations of a cell, J with its derivatives by z.
 
-    A J without columns asks for none.
+    A J without columns is not filled.
     """
     generators, switches, events = case[1], case[2], case[3]
     sign, duration, by = case[5][0], case[5][2], J.shape[1] > 0
     count, states, last = len(generators), generators.shape[1] - 3, len(z) - 1
     Y = np.zeros((states + 3, 1 + J.shape[1]))  # the state, and its derivatives
-    Y[:, 0] = begun(case, z)
+    Y[:, 0] = initial_state(case, z)
     if by:
         for i in range(states):
             Y[i, 1 + i] = 1.0
@@ -115,13 +113,15 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
             Y[:, 1 + row] += rate
         found = events[p] @ (Y if divided[p] == 0 else gain / s)
         if divided[p] > 1:
-            found = often(case, divided[p], p, s, first)
+            found = divided_gain(case, divided[p], p, s, first)
         if divided[p] == 3:  # where it ends: on the surface, which its gain does not say
             event = events[p, :states]
             Y[:states] -= np.outer(event, events[p] @ Y) / np.dot(event, event)
         R[row], J[row] = found[0], found[1:]
         if by and divided[p] != 0:
-            J[row, row] += slope(case, divided[p], p, s, first[:, :1].copy(), rate, R[row])
+            J[row, row] += divided_slope(
+                case, divided[p], p, s, first[:, :1].copy(), rate, R[row]
+            )
         Y = switches[p] @ Y
     R[:states] = z[:states] - sign * Y[:states, 0]
     J[:states] = -sign * Y[:states, 1:]
@@ -134,48 +134,51 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
             J[last, states:last] = 1.0
 
 
-def slope(
+def divided_slope(
     case: Any, times: int, p: int, s: float, Y: Matrix, rate: Vector, value: float
 ) -> float:
-    """Return the derivative of a divided event by the duration; Y is where the phase begins.
+    """Return the derivative of a divided event by the duration; Y is the state at the start.
 
-    As a limit or by differences, where terms would cancel.
+    Where terms would cancel, by its limit or by differences.
     """
     if times > 1:
         h = DIFFERENCE / norm(case[1][p])
-        ahead, back = often(case, times, p, s + h, Y), often(case, times, p, s - h, Y)
+        ahead, back = (
+            divided_gain(case, times, p, s + h, Y),
+            divided_gain(case, times, p, s - h, Y),
+        )
         return float((ahead[0] - back[0]) / (2 * h))
     if abs(s) < A_MOMENT:
         return float(np.dot(case[3][p], case[1][p] @ rate) / 2)
     return float((np.dot(case[3][p], rate) - value) / s)
 
 
-def often(case: Any, times: int, p: int, s: float, Y: Matrix) -> Vector:
-    """Return what the event of a phase gains in its duration, divided by that 2 or 3 times.
+def divided_gain(case: Any, times: int, p: int, s: float, Y: Matrix) -> Vector:
+    """Return the change of an event over its phase, divided by the duration 2 or 3 times.
 
-    It begins where the event happens and has no rate, 3 times where that has none either: what
-    these would give is left out, or of a long phase what the last would.
+    The phase begins where the event and its first derivative vanish; of 3 times, the second as
+    well.  Their terms of the exponential are left out; of a long phase not the last one.
     """
     short = times == 3 and norm(case[1][p]) * abs(s) <= SHORT
-    made = less_three(case[1][p], s) if short else less_two(case[1][p], s)
+    made = exp_less_three_terms(case[1][p], s) if short else exp_less_two_terms(case[1][p], s)
     found: Vector = case[3][p] @ (made @ Y) / s**times
     return found
 
 
 def end_rates(case: Any, z: Vector) -> Matrix:
-    """Return nothing: perturbations of a body are mapped from its own states."""
+    """Return no rates: `cell_map` of a body computes its own."""
     return np.empty((0, 2))
 
 
 def cell_map(
     case: Any, z: Vector, reached: Matrix, speed: float
 ) -> tuple[Matrix, Matrix, Vector]:
-    """Return what a cell makes of perturbations of X; see `stability.cell_map`."""
+    """Return the derivative of the map of X over a cell; see `stability.cell_map`."""
     generators, switches, events, omega = case[1], case[2], case[3], case[5][1]
     count, states = len(generators), generators.shape[1] - 3
     shape = count, states, states
     steps, sizes, crossed = np.empty(shape), np.empty(shape), np.empty(count)
-    first = begun(case, z)
+    first = initial_state(case, z)
     Y = first
     for p in range(count):
         grown = gained(case, p, z[states + p], np.eye(states + 3))
@@ -196,11 +199,11 @@ def cell_map(
     return found, size, crossed
 
 
-def of_multipliers(own: Matrix) -> tuple[float, float, float]:
-    """Return what has the sign of the product of all multipliers plus 1, the least of these.
+def multiplier_monitors(own: Matrix) -> tuple[float, float, float]:
+    """Return the monitors of multipliers, as `walk.multiplier_monitors` does.
 
-    Behind it how many of them are outside the unit circle, and the same of what they are in
-    pairs, together, less than 1.
+    In place of products, which overflow for many multipliers, the least factor with the sign of
+    the product: of ``lambda_i + 1``, and of ``1 - lambda_i lambda_j``.
     """
     lasts = lasting(own)
     own = own[lasts][:, lasts]
@@ -211,7 +214,7 @@ def of_multipliers(own: Matrix) -> tuple[float, float, float]:
 
 
 def least_factor(factors: Complex) -> float:
-    """Return the least size of factors, which are real or in pairs, with their joint sign."""
+    """Return the least modulus of factors, with the sign of their (real) product."""
     sizes = np.abs(factors)
     turned = np.prod(factors / np.where(sizes > 0, sizes, 1.0))
     return copysign(sizes.min(), turned.real)

@@ -1,8 +1,7 @@
-"""What linear rates add to states in a time, ``(exp(G t) - 1) Y``, over arrays.
+"""The change of a state in a time, ``(exp(G t) - 1) Y`` of a generator G, over arrays.
 
-By poles, along which each goes its own way: each pole s answers to what there is at first, to
-the waves of the forcing and to what stays as it is, see `answers`.  Or by a Taylor series of
-the matrix, doubled.
+In the eigenbasis each pole responds by itself to its initial value, to the forcing and to
+constants: see `answers`.  Without an eigenbasis, by scaling and squaring of a Taylor series.
 
 Plain Python, or compiled by numba.
 """
@@ -13,7 +12,7 @@ import numpy as np
 
 from ...arrays import Complex, Matrix
 
-#: Size of a matrix whose exponential is a Taylor series of twelve terms, to rounding.
+#: Norm up to which twelve terms of the Taylor series of an exponential are exact to rounding.
 SHORT = 0.25
 
 #: 1 over the factorials.
@@ -24,7 +23,7 @@ TINY = 1e-9
 
 
 def scales_of(generator: Matrix, n: int) -> Matrix:
-    """Return the scale of each place, and 1 of each velocity; shape (n, 1)."""
+    """Return the scale of each displacement, and 1 for each velocity; shape (n, 1)."""
     found = np.ones((n, 1))
     for i in range(n // 2):
         found[i] = generator[i, n // 2 + i]
@@ -32,15 +31,15 @@ def scales_of(generator: Matrix, n: int) -> Matrix:
 
 
 def drives_of(generator: Matrix, inverse: Matrix, n: int) -> Matrix:
-    """Return what drives each pole, by what stays as it is, the cosine, the sine and 1."""
+    """Return the input of each pole by the memory, the cosine, the sine and 1."""
     return inverse @ np.ascontiguousarray(generator[:n, n:])
 
 
 def answers(poles: Complex, omega: float, t: float) -> Complex:
-    """Return what rest becomes in a time that ``e^(i omega t)``, its conjugate and 1 drive.
+    """Return the responses of poles at rest to ``e^(i omega t)``, to its conjugate and to 1.
 
-    That is ``(e^(s t) - e^(q t)) / (s - q)`` of each pole s for these q, shape (3, m): also
-    where s is q.
+    ``(e^(s t) - e^(q t)) / (s - q)`` for each pole s and ``q = i omega, -i omega, 0``, shape
+    (3, m); at a resonance, where s is q, the limit.
     """
     s, q = poles.reshape(1, len(poles)), np.array([[1j * omega], [-1j * omega], [0j]])
     half = (s - q) * (t / 2)
@@ -55,7 +54,7 @@ def answers(poles: Complex, omega: float, t: float) -> Complex:
 
 
 def doubled(made: Complex, poles: Complex, omega: float, t: float) -> Complex:
-    """Return the `answers` in twice a time, by ``e^(2 a) - e^(2 b)`` in its factors."""
+    """Return the `answers` after 2 t: ``e^(2a) - e^(2b) = (e^a - e^b)(e^a + e^b)``."""
     grown, found = np.exp(poles * t), np.empty_like(made)
     found[0] = made[0] * (grown + np.exp(1j * omega * t))
     found[1] = made[1] * (grown + np.exp(-1j * omega * t))
@@ -66,7 +65,7 @@ def doubled(made: Complex, poles: Complex, omega: float, t: float) -> Complex:
 def by_basis(
     poles: Complex, drives: Matrix, omega: float, made: Complex, t: float, y: Matrix
 ) -> Matrix:
-    """Return what coordinates gain in a time, by what poles make of waves and 1; by column.
+    """Return the change of modal coordinates in a time, by column.
 
     Parameters
     ----------
@@ -76,7 +75,7 @@ def by_basis(
     made : ndarray of complex, shape (3, m)
         The `answers` in the time t.
     y : ndarray, shape (2 m + r, k)
-        The real parts along the poles, the imaginary ones, and what drives them.
+        Real parts of the modal coordinates, imaginary parts, and the inputs.
     """
     m, still = len(poles), made[2]
     even, odd = (made[0] + made[1]) / 2, (made[0] - made[1]) * 0.5j
@@ -96,14 +95,14 @@ def by_basis(
     return found
 
 
-def less_one(matrix: Matrix, t: float) -> Matrix:
-    """Return ``exp(matrix t) - 1``, also where that is small."""
-    found: Matrix = matrix * t + less_two(matrix, t)
+def exp_less_one(matrix: Matrix, t: float) -> Matrix:
+    """Return ``exp(A t) - 1`` of a matrix A, with its digits where it is small."""
+    found: Matrix = matrix * t + exp_less_two_terms(matrix, t)
     return found
 
 
-def less_two(matrix: Matrix, t: float) -> Matrix:
-    """Return ``exp(A t) - 1 - A t`` of a matrix A: a Taylor series, doubled."""
+def exp_less_two_terms(matrix: Matrix, t: float) -> Matrix:
+    """Return ``exp(A t) - 1 - A t`` of a matrix A: a Taylor series, then squarings."""
     A, found, doublings = shortened(matrix, t)
     found += A @ A / 2
     for _ in range(doublings):
@@ -112,13 +111,13 @@ def less_two(matrix: Matrix, t: float) -> Matrix:
     return found
 
 
-def less_three(matrix: Matrix, t: float) -> Matrix:
-    """Return ``exp(A t) - 1 - A t - (A t)^2 / 2`` of a matrix A, no larger than `SHORT`."""
+def exp_less_three_terms(matrix: Matrix, t: float) -> Matrix:
+    """Return ``exp(A t) - 1 - A t - (A t)^2/2`` of a matrix A with ``|A t|`` up to `SHORT`."""
     return shortened(matrix, t)[1]
 
 
 def shortened(matrix: Matrix, t: float) -> tuple[Matrix, Matrix, int]:
-    """Return a part of ``A t`` that is short, its `less_three`, and how often it is doubled."""
+    """Return ``B = A t/2^n`` of norm up to `SHORT`, its `exp_less_three_terms`, and n."""
     size, doublings, f = norm(matrix) * abs(t), 0, INVERSE_FACTORIALS
     if size > SHORT:
         doublings = ceil(log2(size / SHORT))
@@ -131,7 +130,7 @@ def shortened(matrix: Matrix, t: float) -> tuple[Matrix, Matrix, int]:
 
 
 def norm(matrix: Matrix) -> float:
-    """Return the largest sum of sizes in a row."""
+    """Return the infinity norm."""
     largest = 0.0
     for i in range(len(matrix)):
         largest = max(largest, np.abs(matrix[i]).sum())

@@ -1,4 +1,4 @@
-"""LU factors of a system that may be large, by whole rows and blocks.
+"""LU factors of a system that may be large, by rows and blocks.
 
 The functions stand for those of the same names in `iteration.linear` and `iteration.iteration`,
 which are quicker where there are few unknowns.  Plain Python, or compiled by numba.

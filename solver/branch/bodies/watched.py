@@ -1,4 +1,4 @@
-"""What is watched of the contact forms of a body along a branch; see `branch.watch`.
+"""Minima of the demands of a body inside its phases, along a branch; see `branch.watch`.
 
 The functions stand for those of the same names there.  Plain Python, or compiled by numba.
 """
@@ -22,10 +22,10 @@ from ..watch import (
     WITHIN,
     polynomial,
 )
-from .equations import starts
+from .equations import initial_states
 from .ways import ahead, along, expanded, halves, over, way_of
 
-#: What a rate that dips keeps of itself, by its tangents, where it does not fall below zero.
+#: A dip of the rate is looked into if the tangents at its ends meet below this part of it.
 SHALLOW = 0.5
 
 #: Corrections of a critical point by Newton's method.
@@ -38,10 +38,10 @@ NARROWED = 8
 def least_inside(
     way: Any, grid: Matrix, s: float, finer: Any, terms: Matrix, slopes: Matrix, begins: int
 ) -> tuple[float, float]:
-    """Return the least value of a form at its critical points inside a phase, and when.
+    """Return the least value of a form at its critical points inside a phase, and its time.
 
-    Not a number without one.  Between two times of the grid its rate may change its sign, or
-    fall below zero and rise again: just behind a jump of the velocity at any scale.
+    NaN without one.  Between two times of the grid the rate may change its sign, or dip below
+    zero and come back, just behind a jump of the velocity at any scale.
 
     Parameters
     ----------
@@ -54,9 +54,9 @@ def least_inside(
     terms : ndarray
         See `ways.expanded`.
     slopes : ndarray, shape (2, points)
-        The first two of them, without the form itself, on the grid.
+        Rate and half the second derivative on the grid.
     begins : int
-        The first derivative of the form that is not zero by itself where the phase begins.
+        Order of the first derivative of the form that is not identically zero at the start.
     """
     least, when, h = nan, nan, s / (grid.shape[1] - 1)
     rates, bends = slopes[0].copy(), slopes[1]
@@ -79,7 +79,10 @@ def least_inside(
 
 
 def lowest(values: Vector, slopes: Vector, h: float) -> Vector:
-    """Return where the tangents at both ends of each step meet: no convex curve is below."""
+    """Return the height at which the tangents at both ends of each step meet.
+
+    A convex curve lies above it.
+    """
     turn = slopes[:-1] - slopes[1:]
     u = (values[1:] - values[:-1] - slopes[1:] * h) / np.where(turn == 0, np.nan, turn)
     found: Vector = values[:-1] + slopes[:-1] * u
@@ -89,9 +92,9 @@ def lowest(values: Vector, slopes: Vector, h: float) -> Vector:
 def turning(
     way: Any, y: Vector, left: float, h: float, finer: Any, terms: Matrix, derivative: int
 ) -> tuple[Vector, float, float]:
-    """Return where a derivative of a form changes its sign from minus, in the time `left`.
+    """Return where a derivative of a form changes from minus to plus, in the time `left`.
 
-    The coordinates a little before, when that is, and how much later the derivative vanishes.
+    The coordinates a little before, their time, and how much later the derivative vanishes.
     """
     t, width = 0.0, h
     for j in range(max(len(finer[0]), len(finer[1]))):
@@ -116,7 +119,7 @@ def turning(
 def risen(
     way: Any, y: Vector, left: float, h: float, finer: Any, terms: Matrix
 ) -> tuple[float, float]:
-    """Return the value of a form where its rate rises through zero in a time, and when."""
+    """Return the value of a form where its rate rises through zero, and the time."""
     y, t, u = turning(way, y, left, h, finer, terms, 1)
     own = terms @ y
     for _ in range(POLISH):
@@ -127,11 +130,11 @@ def risen(
 
 
 def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) -> None:
-    """Fill in what is watched at an orbit, and the ends of its displacement and velocity.
+    """Fill in the values of the watched forms, and the extremes of the first contact.
 
-    Of the first contact; see `watch.watched`.
+    See `watch.watched`.
     """
-    begin, before = starts(case, z), case[1].shape[1] - 3
+    begin, before = initial_states(case, z), case[1].shape[1] - 3
     values[:, :] = nan
     extremes[:, 0], extremes[:, 1] = np.inf, -np.inf
     for p in range(len(case[0])):
@@ -168,9 +171,9 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
 
 
 def when_least(case: Any, table: Any, z: Vector, row: int) -> float:
-    """Return when in its phase a form has the least value at a critical point inside."""
+    """Return the time in its phase of the least value of a form at a critical point."""
     p = table[row, PHASE]
     way, s = way_of(case, p), z[case[1].shape[1] - 3 + p]
-    grid = along(way, s, starts(case, z)[p])
+    grid = along(way, s, initial_states(case, z)[p])
     finer, terms = halves(way, s / (grid.shape[1] - 1)), expanded(way, case[6][row])
     return least_inside(way, grid, s, finer, terms, terms[1:3] @ grid, table[row, BEGINS])[1]

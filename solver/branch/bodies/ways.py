@@ -1,10 +1,10 @@
-"""A phase of a body in the coordinates of its eigenbasis, where that is known, over arrays.
+"""A phase of a body in modal coordinates, where its eigenbasis is known, over arrays.
 
-There each pole goes its own way, and a time costs what there are poles; the state costs the
-square of that.  Where no eigenbasis is known, the coordinates are the state Y itself.
+The poles are then uncoupled: a step in time costs O(m) for m poles, that of the state O(m^2).
+Where no eigenbasis is known, the coordinates are the state Y itself.
 
-A way is the generator of Y, the poles, what drives each of them, the frequency of the forcing,
-and the matrix by which coordinates make Y, with its inverse.
+A *way* is the tuple of the generator of Y, the poles, their inputs, the frequency of the
+forcing, the matrix from coordinates to Y, and its inverse.
 
 Plain Python, or compiled by numba.
 """
@@ -21,12 +21,12 @@ from .exponential import (
     by_basis,
     doubled,
     drives_of,
-    less_one,
+    exp_less_one,
     norm,
     scales_of,
 )
 
-#: Parts of a phase for 1 of the size of its generator, at least and at most.
+#: Parts of a phase for each 1 of ``|G| s``; fewest and most parts.
 CLOSE, FEWEST, MOST = 2.0, 32, 1024
 
 #: Terms of a Taylor series within such a part.
@@ -52,23 +52,23 @@ def way_of(case: Any, p: int) -> Any:
 
 
 def gained(case: Any, p: int, t: float, Y: Matrix) -> Matrix:
-    """Return what a phase adds to states, columns of shape (W, k), in a time.
+    """Return the change ``(exp(G t) - 1) Y`` of states, columns of shape (W, k), in a phase.
 
-    By its eigenbasis, where that is known and more than a little happens.
+    By the eigenbasis if it is known, but not for a short time.
     """
     poles = case[7][0]
     if len(poles) > 0 and np.abs(poles[p]).max() * abs(t) > SHORT:
         way = way_of(case, p)
         found: Matrix = way[4] @ added(way, t, way[5] @ Y)
         return found
-    return less_one(case[1][p], t) @ Y
+    return exp_less_one(case[1][p], t) @ Y
 
 
 def added(way: Any, t: float, y: Matrix) -> Matrix:
-    """Return what a time adds to coordinates, by column."""
+    """Return the change of coordinates in a time, by column."""
     generator, poles, drives, omega, _, _ = way
     if len(poles) == 0:
-        found: Matrix = less_one(generator, t) @ y
+        found: Matrix = exp_less_one(generator, t) @ y
         return found
     return by_basis(poles, drives, omega, answers(poles, omega, t), t, y)
 
@@ -79,14 +79,14 @@ def ahead(way: Any, t: float, y: Vector) -> Vector:
 
 
 def along(way: Any, s: float, Y: Vector) -> Matrix:
-    """Return the coordinates at equal times of a phase, as close as its waves, by column."""
+    """Return the coordinates at equidistant times that resolve a phase, by column."""
     generator, poles, drives, omega, _, back = way
     states, known = len(Y) - 3, len(poles) > 0
     size = norm(generator[:states, :states]) * abs(s)
     count = int(min(max(ceil(CLOSE * size), FEWEST), MOST))
     found, done = np.empty((len(back), count + 1)), 1
     found[:, 0] = back @ Y
-    step = np.empty((0, 0)) if known else less_one(generator, s / count)
+    step = np.empty((0, 0)) if known else exp_less_one(generator, s / count)
     made = answers(poles, omega, s / count)
     while done <= count:
         more, t = min(done, count + 1 - done), done * s / count
@@ -103,9 +103,9 @@ def along(way: Any, s: float, Y: Vector) -> Matrix:
 
 
 def halves(way: Any, h: float) -> tuple[Any, Any]:
-    """Return what leads over a half, a quarter, ... of a step, to one that is short.
+    """Return the propagators over 1/2, 1/4, ... of a step, down to a short one.
 
-    What the poles answer, or, where they are not known, ``exp(G t) - 1``.
+    Of poles their `answers`; without an eigenbasis ``exp(G t) - 1``.
     """
     generator, poles, _, omega, _, _ = way
     width = len(generator)
@@ -120,14 +120,14 @@ def halves(way: Any, h: float) -> tuple[Any, Any]:
         return np.empty((0, 0, 0)), found
     own = np.empty((count, width, width))
     if count > 0:
-        own[count - 1] = less_one(generator, h / 2.0**count)
+        own[count - 1] = exp_less_one(generator, h / 2.0**count)
     for j in range(count - 2, -1, -1):
         own[j] = own[j + 1] @ own[j + 1] + 2 * own[j + 1]
     return own, np.empty((0, 3, 0), np.complex128)
 
 
 def over(way: Any, finer: tuple[Any, Any], j: int, t: float, y: Vector) -> Vector:
-    """Return the coordinates after one of the `halves`, which takes a time."""
+    """Return the coordinates after propagator j of `halves`, over its time t."""
     _, poles, drives, omega, _, _ = way
     if len(poles) == 0:
         found: Vector = y + finer[0][j] @ y
@@ -136,7 +136,7 @@ def over(way: Any, finer: tuple[Any, Any], j: int, t: float, y: Vector) -> Vecto
 
 
 def expanded(way: Any, form: Vector) -> Matrix:
-    """Return the forms of coordinates that are the Taylor coefficients of a form of Y.
+    """Return the Taylor coefficients in time of a form of Y, as forms of the coordinates.
 
     Shape (EXPANDED, len(coordinates)).
     """

@@ -1,6 +1,6 @@
-"""The orders of phases that an orbit at an event may have as well.
+"""The orders of phases in which the orbit at an event can also be read.
 
-A phase is put in with no duration, or taken out: what may follow by the rules of a simulation.
+A phase of duration zero is inserted or removed, by the rules of which phase may follow another.
 """
 
 from collections.abc import Iterator
@@ -25,9 +25,9 @@ class Slot:
     Parameters
     ----------
     step : Step
-        Which.
+        Which phase.
     state : tuple of float
-        In which it begins.
+        The state at its start.
     s : float
         Its duration.
     """
@@ -39,7 +39,7 @@ class Slot:
 
 @dataclass(frozen=True)
 class Candidate:
-    """An order of phases that an orbit at an event has as well.
+    """One reading of the orbit at an event: an order of phases, states and durations.
 
     Parameters
     ----------
@@ -47,11 +47,11 @@ class Candidate:
     half : bool
         Whether they are half a period.
     angle : float
-        Of the forcing where the first begins.
+        Phase of the forcing where the first begins.
     grows : int or None
-        The phase that has no duration there; None if no phase was put in.
+        The number of the inserted phase, whose duration is zero; None without one.
     endless : bool
-        Whether it is one phase that nothing ends.
+        Whether it is a motion of one phase that never ends.
     """
 
     slots: tuple[Slot, ...]
@@ -61,13 +61,13 @@ class Candidate:
     endless: bool = False
 
     def course(self, old: Course) -> Course:
-        """Return its order, by that of the branch up to the event."""
+        """Return the equations of this order; `old` are those of the branch up to the event."""
         order = Order(tuple(slot.step for slot in self.slots), self.half)
         return replace(old, order=order, endless=self.endless)
 
 
 class AtEvent:
-    """An orbit at an event, and the orders of phases that it may have as well."""
+    """An orbit at an event, and its candidates for the order of phases beyond."""
 
     def __init__(self, found: Found) -> None:
         piece, y = found.piece, found.place.y
@@ -82,7 +82,7 @@ class AtEvent:
         self.slots = list(map(Slot, self.course.order.steps, states, durations))
 
     def candidates(self) -> Iterator[Candidate]:
-        """Yield orders of phases, those of fewer phases first."""
+        """Yield the candidates, those of fewer phases first."""
         p, column = self.found.phase, self.found.column
         assert p is not None
         if column is None:
@@ -100,9 +100,9 @@ class AtEvent:
             yield from self._between(p)
 
     def as_declared(self, found: Candidate) -> Candidate:
-        """Return a candidate that begins where the scene's own order does, if it is one.
+        """Return a candidate rotated to begin as an order that the scene declares.
 
-        Else with a phase that is not mirrored, if it has one.
+        If none fits, it begins with a phase that is not mirrored, if there is one.
         """
         turns = [found]
         for _ in range(0 if found.endless else len(found.slots) * (2 if found.half else 1) - 1):
@@ -112,7 +112,7 @@ class AtEvent:
         return next(declared, next(plain, found))
 
     def _turned(self, found: Candidate) -> Candidate:
-        """Return a candidate that begins with its second phase."""
+        """Return a candidate rotated by one phase."""
         first, *rest = found.slots
         last = self.next_cell(first, found.half)
         angle = found.angle + self.cell.omega * first.s
@@ -120,7 +120,7 @@ class AtEvent:
         return Candidate((*rest, last), found.half, angle, grows)
 
     def next_cell(self, slot: Slot, half: bool | None = None) -> Slot:
-        """Return a phase of the next cell as this one has it, which may be half a period."""
+        """Return a phase a cell later: the same, or mirrored if cells are half periods."""
         if not (self.half if half is None else half):
             return slot
         other = image(self.machine.cell, slot.step)
@@ -128,16 +128,16 @@ class AtEvent:
         return replace(slot, step=other, state=tuple(-q for q in slot.state))
 
     def _from(self, p: int) -> tuple[list[Slot], float]:
-        """Return the phases from one on, and the angle where it begins."""
+        """Return the phases of one cell from phase p on, and the angle where p begins."""
         before = [self.next_cell(slot) for slot in self.slots[:p]]
         return [*self.slots[p:], *before], self._angle(p)
 
     def _angle(self, p: int) -> float:
-        """Return the angle of the forcing where a phase begins."""
+        """Return the phase of the forcing where phase p begins."""
         return self.angle + self.cell.omega * sum(slot.s for slot in self.slots[:p])
 
     def _without(self, p: int) -> Iterator[Candidate]:
-        """Yield the order without a phase, its neighbours as one if they are the same."""
+        """Yield the order without phase p; its neighbours become one if they are alike."""
         if len(self.slots) > 1:
             slots, angle = self._from(p)
             if self._leaps(p):
@@ -146,7 +146,7 @@ class AtEvent:
                 yield from self._joined(slots[1:], angle)
 
     def _leaps(self, p: int) -> bool:
-        """Whether the velocity jumps where a phase begins."""
+        """Whether the velocity jumps where phase p begins."""
         last, given = (p - 1) % len(self.slots), (self.equations, self.z)
         before = self.course.moving_at(*given, last, self.slots[last].s)[1]
         before *= self.cell.sign if p == 0 else 1
@@ -154,16 +154,16 @@ class AtEvent:
         return abs(after - before) > ROUNDING * max(abs(before), 1.0)
 
     def _uncrossed(self, p: int) -> Iterator[Candidate]:
-        """Yield the order in which a phase goes on where it ended."""
+        """Yield the order in which phase p does not end at its event, but goes on."""
         slots, angle = self._from((p + 1) % len(self.slots))
         if self._alike(slots[-1].step, self.next_cell(slots[0]).step):
             yield from self._joined(slots, angle)
 
     def _joined(self, slots: list[Slot], angle: float) -> Iterator[Candidate]:
-        """Yield phases whose last and first meet where nothing may change.
+        """Yield an order in which the last and the first phase become one, if they are alike.
 
-        What would rest for ever is no motion to follow, and of what nothing sets a memory anew
-        there is one for each value of that.
+        If no other phase is left, the motion never ends.  A rest for ever is not followed, nor
+        a motion with a memory, which any value of that memory satisfies.
         """
         last, first = slots[-1], self.next_cell(slots[0])
         if not self._alike(last.step, first.step):
@@ -177,12 +177,12 @@ class AtEvent:
             yield Candidate((whole,), False, angle, endless=True)
 
     def _goes_on(self, step: Step) -> bool:
-        """Whether a phase that nothing ends is one motion."""
+        """Whether a phase that never ends is an isolated motion."""
         held = self.course.base.kinds[step.phase][1]
         return self.cell.forced and not held and not self.cell.memory
 
     def _between(self, p: int) -> Iterator[Candidate]:
-        """Yield orders with one phase more behind another."""
+        """Yield orders with one more phase behind phase p."""
         before, after = (*self.slots, self.next_cell(self.slots[0]))[p : p + 2]
         for step in self.steps:
             if self._may(before.step, step) and self._may(step, after.step):
@@ -191,7 +191,7 @@ class AtEvent:
                 yield Candidate(slots, self.half, self.angle, p + 1)
 
     def _touched(self, p: int, demand: int) -> Iterator[Candidate]:
-        """Yield orders in which a phase ends where a demand is just met inside it."""
+        """Yield orders in which phase p ends at a demand that vanishes inside it."""
         piece, slot = self.found.piece, self.slots[p]
         ended = self._ended_by(slot.step, demand)
         if ended is None:
@@ -214,12 +214,12 @@ class AtEvent:
             yield Candidate(slots, self.half, self.angle, p + 1 if new else None)
 
     def _ended_by(self, step: Step, demand: int) -> Step | None:
-        """Return the phase of the same equation that ends where a demand is just met."""
+        """Return the phase of the same equation that ends where a demand vanishes."""
         surface = self.machine.node(step).demands[demand]
         return self.machine.ending(self.machine.number(step), surface)
 
     def _cut(self, new: list[Slot], rest: Slot, angle: float) -> Iterator[Candidate]:
-        """Yield what an endless motion is with a phase where it touches a surface."""
+        """Yield orders for a motion that never ended, cut where it touches a surface."""
         grows = 0 if new else None
         for step in self.steps:
             other = image(self.machine.cell, new[0].step if new else step)

@@ -1,7 +1,6 @@
-"""Which order of phases a branch has beyond a place where its own ends.
+"""Which order of phases a branch has beyond an event at which its own ends.
 
-A phase is put in with no duration, or taken out: see `candidates`.  What counts is an orbit a
-little further on that is admissible.
+`candidates` proposes orders; the first with an admissible orbit a little beyond is taken.
 """
 
 from dataclasses import replace
@@ -18,21 +17,21 @@ from ..meeting import halves_apart
 from ..piece import NoStepError, Piece, Place
 from .candidates import AtEvent, Candidate
 
-#: Durations of a phase that is put in, in turn, as parts of a cell; steps of the parameter.
-#: Near chatter a fold is as close as the last.
+#: Durations tried for an inserted phase, as parts of a cell, or steps tried along the branch.
+#: The last is for chatter, where a fold is as close.
 AHEAD = (1e-3, 1e-2, 1e-4, 1e-5)
 
-#: Steps beside a flip, in turn.
+#: Steps tried away from a flip.
 ASIDE = (1e-4, 1e-2, 1e-3, 3e-2, 1e-1)
 
 
 def beyond(found: Found) -> tuple[Piece, Place] | None:
-    """Return an orbit beyond a place where the order of the phases changes; None without one.
+    """Return an orbit beyond an event that changes the order of phases; None without one.
 
     Parameters
     ----------
     found : Found
-        What happens at that place.
+        The event.
     """
     at = AtEvent(found)
     for candidate in map(at.as_declared, at.candidates()):
@@ -45,10 +44,10 @@ def beyond(found: Found) -> tuple[Piece, Place] | None:
 
 
 def doubled(found: Found) -> tuple[Piece, Place] | None:
-    """Return an orbit of twice the period beside a flip; of half a period, without symmetry.
+    """Return an orbit of twice the period beside a flip, or an unsymmetric one; else None.
 
-    It is looked for along what the equations of the longer orbit leave free there, but for
-    the branch of the shorter one: where its halves differ.  None without one.
+    The equations of the doubled orbit have a two-dimensional null space at the flip.  The
+    search starts along its direction in which the two halves of the orbit differ.
     """
     at, old = AtEvent(found), found.piece
     if at.course.endless:
@@ -61,12 +60,12 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     here = np.append(z, old.number(found.place.y))
     bare = Piece.at(course, old.case, old.index, old.bounds, here, ())
     y = bare.of_number(here)
-    free = bare.free(y)[-2:]
+    free = bare.singular_vectors(y)[-2:]
     apart = [halves_apart(bare, each) for each in free]
     border = np.linalg.svd(np.array(apart).T)[2][0] @ free
     for ahead in ASIDE:
         try:
-            led = bare.led(y + ahead * border / bare.along.weights, border)
+            led = bare.corrected(y + ahead * border / bare.along.weights, border)
             return _admitted(bare, led, border)
         except (NoStepError, ParameterError, ArithmeticError):
             continue
@@ -74,7 +73,7 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
 
 
 def _led(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place]:
-    """Return an orbit of another order a little beyond an event.
+    """Return an orbit of a candidate a little beyond an event.
 
     Raises
     ------
@@ -94,20 +93,20 @@ def _led(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place
     if candidate.grows is not None:
         border = np.zeros(len(y))
         border[at_s + candidate.grows] = 1.0
-        return _admitted(bare, bare.led(y, border), border)
-    border = bare.free(y)[-1]
+        return _admitted(bare, bare.corrected(y, border), border)
+    border = bare.singular_vectors(y)[-1]
     border *= np.copysign(1.0, border[-1])
-    y = bare.led(y, border)
+    y = bare.corrected(y, border)
     for side in (ahead, -ahead):
         try:
-            return _admitted(bare, bare.led(y + side * border, border), side * border)
+            return _admitted(bare, bare.corrected(y + side * border, border), side * border)
         except NoStepError:
             continue
     raise NoStepError
 
 
 def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
-    """Return an orbit with what is watched there.
+    """Return an orbit with its monitors.
 
     Raises
     ------
@@ -125,7 +124,7 @@ def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
 
 
 def _unknowns(found: Found, course: Course, candidate: Candidate) -> Vector:
-    """Return the unknowns of an order at an event, in the units of its piece."""
+    """Return the unknowns of a candidate at an event, in the units of its piece."""
     numbers, durations = found.piece.numbers(found.place.y), [q.s for q in candidate.slots]
     states = [slot.state for slot in candidate.slots]
     return course.gathered(numbers, states, np.array(durations), candidate.angle)
