@@ -1,1 +1,1 @@
-"""Orbits over two parameters: filled in on a grid, and the curves where something happens."""
+"""Orbits over two parameters: continuation on a grid, and curves of events."""

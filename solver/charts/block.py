@@ -1,4 +1,4 @@
-"""Rows of a map: which motion there is at each point, and whether it is stable."""
+"""Rows of a map: the motion at each point, and whether it is stable."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -18,22 +18,22 @@ from ..stability.stability import ROUNDING, of_monodromy
 from . import filling, following
 from .plane import Plane
 
-#: Room at first, in orbits; how many of them, linked by ways, are asked of the solver, and up
-#: to which number all are where it refuses one.
+#: Room for orbits at first; how many of a connected set are checked by the solver; if one is
+#: refused, all are checked in sets of up to `MANY`.
 ROOM, ASKED, MANY = 64, 4, 64
 
-#: Whether an orbit is stable, as maps keep it: the best first.
+#: The stability of an orbit, the preferred first.
 STABLE, NEITHER, UNSTABLE = 0, 1, 2
 
 
 def linked(branches: Family, equations: Any, make: linking.Make) -> dict[str, Any]:
-    """Return the functions of maps, plain or compiled, over those of branches."""
+    """Return the functions of maps, plain or compiled, linked to those of branches."""
     form = branches.plain if make is rebuilt else branches.inner
     under = {name: q for name, q in form(walk.__name__).items() if callable(q)}
     return linking.made((filling, following), under, make)
 
 
-#: What they are made of, and the functions: of one mass, and of bodies.
+#: The functions of maps for one mass, and for bodies.
 FAMILY = Family(partial(linked, walk.FAMILY), (*MODULES, walk, following), filling.fill)
 OF_BODIES = Family(
     partial(linked, BODIES), (*BODIES.modules, walk, following), filling.fill, BODIES.seconds
@@ -41,7 +41,7 @@ OF_BODIES = Family(
 
 
 def by(name: str, plane: Plane, *arguments: Any) -> Any:
-    """Return what a function of maps makes of a plane and some arguments."""
+    """Call a function of `filling` or `following`, by name, for a plane."""
     family = OF_BODIES if plane.course.family is BODIES else FAMILY
     given = plane.series, plane.table, *arguments
     with np.errstate(all="ignore"):
@@ -51,7 +51,7 @@ def by(name: str, plane: Plane, *arguments: Any) -> Any:
 def block_of(
     planes: Sequence[Plane], A: Vector, B: Vector, wide: float, seeds: Sequence[Matrix]
 ) -> Integers:
-    """Return the best orbit at each point of some rows of a map, as a number.
+    """Return the preferred orbit at each point of some rows of a map, as a number.
 
     Parameters
     ----------
@@ -63,8 +63,8 @@ def block_of(
     Returns
     -------
     ndarray of int, shape (rows, columns)
-        One of `STABLE`, `NEITHER`, `UNSTABLE` times the number of planes, and the number of
-        the plane: the best is the least.  Without an orbit it is beyond all of them.
+        ``stability * planes + plane``, where stability is `STABLE`, `NEITHER` or `UNSTABLE`:
+        the least is preferred.  Without an orbit ``3 * planes``.
     """
     best = np.full(len(A) * len(B), 3 * len(planes))
     for number, (plane, own) in enumerate(zip(planes, seeds, strict=True)):
@@ -76,10 +76,10 @@ def block_of(
 def orbits_of(
     plane: Plane, A: Vector, B: Vector, wide: float, seeds: Matrix
 ) -> tuple[Integers, Integers]:
-    """Return the points of all orbits of an order of phases, and whether they are stable.
+    """Return the points of all orbits of an order of phases, and their stability.
 
-    A few are asked of the solver, which demands more than is watched.  Where it refuses one,
-    all are asked to which a way leads from it; of many none counts.
+    A few of each connected set are checked by the solver, which demands more than is watched.
+    If it refuses one, all of the set are checked; a large set is dropped.
     """
     n, size = seeds.shape[1] - 2, plane.perturbed
     near = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
@@ -104,7 +104,7 @@ def orbits_of(
 
 
 def _linked(links: Integers) -> list[Integers]:
-    """Return the orbits that are linked with each other, each set once."""
+    """Return the connected sets of orbits."""
     from scipy.sparse import coo_array  # noqa: PLC0415  (100 ms)
     from scipy.sparse.csgraph import connected_components  # noqa: PLC0415  (see above)
 
@@ -116,7 +116,7 @@ def _linked(links: Integers) -> list[Integers]:
 
 
 def _room(count: int, points: int, n: int, size: int) -> tuple[Any, ...]:
-    """Return arrays for so many orbits on so many points; see `filling.fill`."""
+    """Return arrays for `count` orbits on a number of points; see `filling.fill`."""
     whole = np.int64
     return (
         np.empty((count, n)), np.empty(count, whole), np.empty(count),
@@ -135,10 +135,9 @@ def _larger(orbits: tuple[Any, ...], points: int, n: int, size: int) -> tuple[An
 
 
 def stability_of(plane: Plane, maps: Any) -> Integers:
-    """Return whether orbits are stable, by `maps` of their cells, shape (m, 2, n, n).
+    """Return the stability of orbits by the `maps` of their cells, shape (m, 2, n, n).
 
-    Where rounding might change the verdict, it is that of `stability.of_monodromy`.  See
-    `cell_map`.
+    See `cell_map`.  Where rounding could matter, `stability.of_monodromy` decides.
     """
     cell = plane.course.cell(plane.case.numbers)
     known = np.isfinite(maps).all(axis=(1, 2, 3))

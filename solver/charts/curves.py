@@ -1,4 +1,4 @@
-"""Curves of events in the plane of two parameters, each followed both ways from one event."""
+"""Curves of events in the plane of two parameters, each followed in both directions."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -14,26 +14,26 @@ from .block import by
 from .lines import Happening
 from .plane import Plane
 
-#: Least step, in coordinates of size 1, and the first; most of it, and of it in the plane.
+#: Least, first and largest step, in scaled coordinates; largest step in the plane.
 LEAST, FIRST, MOST, MOST_SEEN = 1e-5, 0.01, 0.3, 0.03
 
-#: What a step is multiplied by, and the least cosine of the angle between its tangents.
+#: The factor by which steps grow; least cosine of the angle between tangents of a step.
 GROWTH, TURN = 1.3, 0.95
 
-#: Most points of a curve, each way.
+#: Most points of a curve in each direction.
 MOST_POINTS = 1000
 
-#: What is watched beside the monitor is violated below the negative of it.
+#: Other monitors are violated below the negative of this.
 ROUNDING = 1e-6
 
-#: How near a curve passes an event that lies on it, in the plane.
+#: Distance from a curve, in the plane, of an event that lies on it.
 ON = 1e-8
 
-#: Why a curve ends, beside what ends a branch.
+#: Why a curve ends, beside the reasons of a branch.
 LOST, VIOLATED = "it cannot be followed", "beyond, its orbits are not admissible"
 REAL = "beyond, the multipliers whose product is 1 are real"
 
-#: Which monitor, from the last, vanishes at events of the orbit itself.
+#: The monitors of events of the orbit as a whole, counted from the last.
 MONITORS = {
     kind: which - OWN
     for kind, which in (
@@ -46,7 +46,7 @@ MONITORS = {
 class Curve:
     """A curve of events: orbits of a plane on which a monitor vanishes; see `monitors_at`.
 
-    Its points are unknowns and both parameters; `why` it ends there, at either end.
+    Its points are unknowns and both parameters; `why` has the reasons of both ends.
     """
 
     kind: str
@@ -94,7 +94,7 @@ def _followed(kind: str, plane: Plane, monitor: int, y: Vector, across: int) -> 
 
 
 def _way(plane: Plane, monitor: int, y: Vector, direction: Vector) -> tuple[list[Vector], str]:
-    """Return the points behind one, on the side of a direction, and why they end."""
+    """Return the points of a curve from y on in a direction, and why it ends."""
     first, ahead, weights = y, direction, np.append(plane.series.weights, 1.0)
     watched = np.abs(_monitors(plane, y)) > ROUNDING  # or there is none as yet
     watched |= np.isnan(_monitors(plane, y))
@@ -129,7 +129,7 @@ def _way(plane: Plane, monitor: int, y: Vector, direction: Vector) -> tuple[list
 
 
 def _turns(plane: Plane, y: Vector) -> bool:
-    """Whether of two multipliers whose product is 1 each is the conjugate of the other."""
+    """Whether the two multipliers whose product is 1 are complex."""
     orbit = plane.orbit(y)
     if orbit is None:
         return False
@@ -140,7 +140,7 @@ def _turns(plane: Plane, y: Vector) -> bool:
 
 
 def _edge(plane: Plane, monitor: int, y: Vector, there: Vector) -> Vector | None:
-    """Return where a step leaves the rectangle; None if that is not found."""
+    """Return where a step leaves the rectangle; None if it is not found."""
     ends = np.sign(there[-2:])
     with np.errstate(divide="ignore", invalid="ignore"):  # along an edge, or straight across
         parts = (ends - y[-2:]) / (there[-2:] - y[-2:])
@@ -152,7 +152,7 @@ def _edge(plane: Plane, monitor: int, y: Vector, there: Vector) -> Vector | None
 
 
 def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
-    """Whether an event of a kind lies on a curve, by where that crosses its line."""
+    """Whether an event lies on a curve: where the curve crosses the line of the event."""
     points, along = np.array(curve.points), 1 - across - 2
     side = points[:, across - 2] - at[across]
     crosses = (side[1:] * side[:-1] <= 0) | (np.minimum(abs(side[1:]), abs(side[:-1])) <= ON)
@@ -173,7 +173,7 @@ def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
 
 
 def _unit(size: int, which: int) -> Vector:
-    """Return the border across which one of the parameters is fixed."""
+    """Return the unit vector of a parameter: a border that fixes it."""
     found = np.zeros(size)
     found[which - 2] = 1.0
     return found
@@ -187,7 +187,7 @@ def _monitors(plane: Plane, y: Vector) -> Vector:
 def _pinned(
     plane: Plane, monitor: int, y: Vector, border: Vector
 ) -> tuple[Vector | None, Vector]:
-    """Return where Newton's method leads across a border, None if nowhere, and the tangent."""
+    """Return the point on a curve orthogonal to a border, or None, and the tangent there."""
     number = len(_monitors(plane, y)) + monitor if monitor < 0 else monitor
     found = y.copy()
     converged, direction = by("pinned", plane, number, found, border)

@@ -1,11 +1,10 @@
 """Orbits of one order of phases on a grid of two parameters, each from its neighbours.
 
-The equations of a cell are series in two parameters, each from -1 to 1 over the grid (see
-`plane`).  From an orbit at a point Newton's method leads to those at the points beside it:
-predicted from the point on the other side, in smaller steps where its corrections do not fall
-quickly, and never through a fold, where the determinant changes its sign.  What it leads to
-counts if all that is watched holds.  Several orbits may be at one point: they are kept in a
-list, and two are one where they do not differ.
+The equations of a cell are series in two parameters, each in [-1, 1] over the grid (see
+`plane`).  From the orbit at a point Newton's method continues to the neighbouring points.  The
+prediction extrapolates from the point on the other side; steps are halved where the corrections
+fall slowly, and the sign of the determinant must not change, as it does at a fold.  Orbits that
+violate a monitor are dropped.  The orbits at one point are a linked list without duplicates.
 
 Plain Python, or compiled by numba with the equations along a branch.
 """
@@ -29,13 +28,13 @@ from ..iteration.iteration import scale_rows
 from ..iteration.linear import factorise
 from ..stability.cell_map import cell_map, end_rates
 
-#: The last correction: the next one would be its square.  Corrections that show the way.
+#: Size of the last correction, before quadratic convergence; most of the first ratio of two.
 CLOSE, FIRST_FALL = 1e-9, 0.1
 
-#: Smallest step, as a part of the way between two points; differences of orbits that are one.
+#: Least step between two points, as a part of it; difference of orbits that are equal.
 SHORTEST, SAME = 1.0 / 16, 1e-6
 
-#: Right, left, up, down: rows and columns.  The opposite of side s is s ^ 1.
+#: Changes of row and column to the right, left, up, down.  The opposite of side s is s ^ 1.
 DOWN, ALONG = (0, 0, 1, -1), (1, -1, 0, 0)
 
 
@@ -49,10 +48,10 @@ def row_of(plane: Any, b: float) -> Any:
 
 
 def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, float]:
-    """Lead `z` to the orbit at a point; whether it gets there, and how.
+    """Correct `z` to the orbit at (a, b) by Newton's method.
 
-    Then the second correction as a part of the first, 0 where there is none, and the sign of
-    the determinant of the equations.
+    Returned are whether it converges, the ratio of the second correction to the first, and the
+    sign of the determinant of the Jacobian.
     """
     case, n, weights = case_at(row_of(plane, b), a), len(z), plane[4]
     J, scales, rows = np.empty((n, n)), np.empty(n), np.empty(n, np.int64)
@@ -83,10 +82,10 @@ def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, flo
 def led(
     plane: Any, z: Vector, sign: float, at: Any, to: Any, slope: Vector
 ) -> tuple[bool, Vector]:
-    """Return whether there is a way from an orbit at a point to one at another, and that.
+    """Continue an orbit from one point to another; whether that succeeds, and the orbit.
 
     slope : ndarray, shape (n,)
-        How much the orbit changes on the way, as far as is known.
+        Predicted change of the orbit.
     """
     t, h, found, rate = 0.0, 1.0, z, slope
     while t < 1:
@@ -104,7 +103,7 @@ def led(
 
 
 def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> bool:
-    """Whether all that is watched of an orbit holds; fill in what its cell makes of states.
+    """Whether no monitor of an orbit is negative; fill in the map of its cell.
 
     maps : ndarray, shape (2, n, n)
         See `cell_map`.
@@ -128,7 +127,7 @@ def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> b
 
 
 def change(plane: Any, z: Vector, other: Vector) -> Vector:
-    """Return by what two orbits differ, the phase of the forcing up to whole turns."""
+    """Return the difference of two orbits, with the phase of the forcing modulo 2 pi."""
     found = z - other
     if len(z) > plane[5] + len(plane[0]):
         found[-1] -= 2 * pi * round(found[-1] / (2 * pi))
@@ -139,7 +138,7 @@ def number_of(
     plane: Any, table: Any, A: Vector, B: Vector, point: int, z: Vector, sign: float,
     count: int, orbits: Any,
 ) -> int:  # fmt: skip
-    """Return the number of an orbit at a point, a new one if it is not known; -1 if none."""
+    """Return the number of an orbit at a point; it is added if new.  -1 if not admissible."""
     Z, at, signs, _, heads, others, maps = orbits
     k = heads[point]
     while k >= 0:
@@ -159,7 +158,7 @@ def number_of(
 
 
 def around(links: Any, k: int, side: int) -> int:
-    """Return the orbit beside one, if it is known by way of the points on either hand."""
+    """Return the neighbour of orbit k on a side if it is known by a detour; else -1."""
     for turn in (0, 1) if side > 1 else (2, 3):
         one = links[k, turn]
         two = links[one, side] if one >= 0 else -1
@@ -171,12 +170,12 @@ def around(links: Any, k: int, side: int) -> int:
 def sown(
     plane: Any, table: Any, A: Vector, B: Vector, wide: float, seeds: Matrix, orbits: Any
 ) -> int:
-    """Put orbits on a grid from others beside its points; return how many there are.
+    """Continue known orbits to the grid points next to them; return how many are found.
 
     wide : float
-        Distance of the rows.
+        Distance of the rows of the grid.
     seeds : ndarray, shape (m, n + 2)
-        Unknowns and both parameters of each.
+        Unknowns and both parameters of each orbit.
     """
     count, n = 0, seeds.shape[1] - 2
     for seed in seeds:
@@ -198,16 +197,16 @@ def sown(
 def fill(
     plane: Any, table: Any, A: Vector, B: Vector, begin: int, count: int, orbits: Any
 ) -> tuple[int, int]:
-    """Go from each orbit to the points beside it, until there are no new ones, or no room.
+    """Continue each orbit to its neighbouring points, until none is new or the arrays are full.
 
     Parameters
     ----------
     begin, count : int
-        The first orbit from which to go on, and how many there are.
+        The first orbit to continue from, and how many there are.
     orbits : tuple of ndarray
-        Of each: unknowns, point, sign of the determinant, orbits to the right, left, up and
-        down; of each point its last orbit; of each orbit the one before at its point, and the
-        map of its cell.
+        Of each orbit: unknowns, point, sign of the determinant, neighbours to the right, left,
+        up and down.  Of each point its last orbit.  Of each orbit the one before at its point,
+        and the map of its cell.
     """
     Z, at, signs, links, _, _, _ = orbits
     while begin < count:

@@ -1,7 +1,7 @@
-"""A curve of events in two parameters: orbits on which something that is watched vanishes.
+"""A curve of events in two parameters: orbits on which a monitor vanishes.
 
-One equation more than along a branch, and one unknown more: the second parameter.  What is
-watched at a fold is the determinant of the equations, which is zero there whatever varies.
+Beside those of a branch there is one more unknown, the second parameter, and one more equation,
+the monitor.  That of a fold is the determinant of the equations.
 
 Plain Python, or compiled by numba with the equations along a branch.
 """
@@ -18,16 +18,16 @@ from ..iteration.iteration import ROUNDOFF, scale_rows
 from ..iteration.linear import factorise, solve_factorised
 from .filling import row_of
 
-#: Most corrections; those with derivatives of their own.
+#: Most corrections; most of them with a new Jacobian.
 MOST_CORRECTIONS, FRESH = 16, 3
 
-#: What a correction must be less than, as a part of the one before, not to be rounding; and
-#: that the next may keep its derivatives, which cost as much as twenty corrections.
+#: Ratio of two corrections above which they are rounding; below which the Jacobian is kept,
+#: since a new one costs as much as twenty corrections.
 FALLING, QUICK = 0.7, 0.1
 
 
 def monitors_at(plane: Any, table: Any, y: Vector) -> Vector:
-    """Return what is watched at an orbit; the last is the determinant of the equations."""
+    """Return the monitors at an orbit."""
     n = len(y) - 2
     border, extremes, maps = np.zeros(n + 1), np.empty((2, 2)), np.empty((2, 0, 0))
     border[n] = 1.0
@@ -38,15 +38,17 @@ def monitors_at(plane: Any, table: Any, y: Vector) -> Vector:
     return monitors
 
 
-def sides(plane: Any, table: Any, monitor: int, y: Vector, R: Vector) -> None:
-    """Fill R with the left sides of the equations, the monitor and zero."""
+def residuals(plane: Any, table: Any, monitor: int, y: Vector, R: Vector) -> None:
+    """Fill R with the residual of the equations, the monitor and zero."""
     n = len(y) - 2
     residual_along(row_of(plane, y[n + 1]), y[:n], y[n], R[:n])
     R[n], R[n + 1] = monitors_at(plane, table, y)[monitor], 0.0
 
 
-def slopes(plane: Any, table: Any, monitor: int, y: Vector, border: Vector, J: Matrix) -> None:
-    """Fill J with their derivatives in coordinates of size 1, over a row."""
+def bordered_jacobian(
+    plane: Any, table: Any, monitor: int, y: Vector, border: Vector, J: Matrix
+) -> None:
+    """Fill J with the Jacobian of `residuals` in scaled coordinates, bordered by a row."""
     n, weights = len(y) - 2, plane[4]
     first = np.empty((n, n + 1))
     jacobian_along(row_of(plane, y[n + 1]), y[:n], y[n], first)
@@ -71,10 +73,10 @@ def slopes(plane: Any, table: Any, monitor: int, y: Vector, border: Vector, J: M
 def pinned(
     plane: Any, table: Any, monitor: int, y: Vector, border: Vector
 ) -> tuple[bool, Vector]:
-    """Lead `y` to the curve across a border; whether it gets there, and the unit tangent.
+    """Correct `y` to the curve, orthogonally to a border; return convergence and tangent.
 
     border : ndarray, shape (unknowns + 2,)
-        In coordinates of size 1; the tangent is on its side.
+        In scaled coordinates; its product with the tangent is positive.
     """
     n = len(y)
     J, scales, rows = np.empty((n, n)), np.empty(n), np.empty(n, np.int64)
@@ -82,10 +84,10 @@ def pinned(
     direction[n - 1] = 1.0
     formed, fresh = 0, True
     for turn in range(MOST_CORRECTIONS):
-        sides(plane, table, monitor, y, step)
+        residuals(plane, table, monitor, y, step)
         if fresh:
             formed += 1
-            slopes(plane, table, monitor, y, border, J)
+            bordered_jacobian(plane, table, monitor, y, border, J)
             scale_rows(J, scales)
             if not factorise(J, rows):
                 return False, direction

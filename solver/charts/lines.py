@@ -1,4 +1,4 @@
-"""Branches along lines of a map: where orbits are, and what happens, that a map begins with."""
+"""Branches along some lines of a map: the orbits and events that it starts from."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,15 +17,15 @@ from .plane import Bounds
 #: Values on a line at which orbits are looked for.
 VALUES = 5
 
-#: What vanishes at an event: a form, and where in it; a duration, of which phase; or a word.
+#: What vanishes at an event: a form and where; None and the phase; or a word and 0.
 Monitor = tuple[Row | str | None, int]
 
 
 @dataclass(frozen=True)
 class Stretch:
-    """Orbits of one order of phases on a line: the case of that in the middle, and `points`.
+    """Orbits of one order of phases on a line, and the case of the one in the middle.
 
-    Each point has the unknowns and both parameters, in SI units; shape (m, n + 2).
+    Each row of `points`, shape (m, n + 2), has the unknowns and both parameters, in SI units.
     """
 
     course: Course
@@ -41,9 +41,9 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Happening:
-    """Something that happens on a line: the word for it, and where, as in `Stretch`.
+    """An event on a line: its kind, and its orbit as in `Stretch`.
 
-    What vanishes is as `gauge_of` has it; the parameter `across` does not vary on the line.
+    The parameter number `across` does not vary on the line.
     """
 
     kind: str
@@ -57,14 +57,14 @@ Line = tuple[list[Stretch], list[Happening]]
 
 
 def line_of(case: Case, names: tuple[str, str], bounds: Bounds, across: int) -> Line:
-    """Return the orbits on a line, and what happens there.
+    """Return the orbits and the events on a line.
 
     Parameters
     ----------
     case : Case
-        With the value of the parameter that does not vary on the line.
+        With the value of the parameter that is constant on the line.
     across : int
-        Which of them does not vary.
+        The number of that parameter, 0 or 1.
     """
     along = 1 - across
     stretches: list[Stretch] = []
@@ -90,7 +90,7 @@ def _happenings(value: float, both: BothWays, across: int) -> Iterator[Happening
     for found in both.events():
         if found.monitor >= 0:
             point = _point(value, found.piece, found.place, across)
-            yield Happening(found.kind, found.piece.course, gauge_of(found), point, across)
+            yield Happening(found.kind, found.piece.course, monitor_of(found), point, across)
 
 
 def _point(value: float, piece: Piece, place: Place, across: int) -> Vector:
@@ -100,7 +100,7 @@ def _point(value: float, piece: Piece, place: Place, across: int) -> Vector:
     return np.concatenate([y, where if across == 1 else where[::-1]])
 
 
-def gauge_of(found: Found) -> Monitor:
+def monitor_of(found: Found) -> Monitor:
     """Return what vanishes at an event."""
     piece, i = found.piece, found.monitor
     forms, phases = 3 * len(piece.rows), len(piece.along.kinds)

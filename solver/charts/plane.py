@@ -15,7 +15,7 @@ from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
 from ..scenes.parameter_error import ParameterError
 
-#: Terms of the series by each parameter, in turn, until they are resolved.
+#: Numbers of terms tried for the series in each parameter.
 TERMS = 4, 8, 16, 32, 64
 
 Bounds = tuple[tuple[float, float], tuple[float, float]]
@@ -28,15 +28,15 @@ class Plane:
     Parameters
     ----------
     case : Case
-        Whose units are used.
+        It gives the units and the other parameters.
     indices : (int, int)
-        Of the parameters.
+        The numbers of the parameters.
     bounds : ((float, float), (float, float))
-        Of their ranges, in SI units.
+        Their ranges, in SI units.
     series : Along
-        Its series over both parameters, of shape (entries, terms, terms).
+        The equations, with series in both parameters, shape (entries, terms, terms).
     table : ndarray of int
-        What is watched.
+        The watched forms.
     """
 
     course: Course
@@ -56,7 +56,7 @@ class Plane:
         Parameters
         ----------
         case : Case
-            With the parameters of an orbit of this order, of which nothing is special.
+            The parameters of an orbit of this order that is not at an event.
         z : ndarray
             Its unknowns, in SI units.
 
@@ -78,16 +78,16 @@ class Plane:
 
     @cached_property
     def sizes(self) -> Vector:
-        """What 1 of each unknown is in SI units."""
+        """The SI value of 1 of each unknown."""
         return self.course.sizes(self.course.cell(self.case.numbers), self.case)
 
     @property
     def perturbed(self) -> int:
-        """How many numbers of a state are perturbed."""
+        """The size of the map of perturbations."""
         return self.course.perturbed(self.series)
 
     def inside(self, found: Matrix) -> Matrix:
-        """Return unknowns and parameters in SI units as they are on the plane."""
+        """Return unknowns and parameters on the plane from those in SI units."""
         ends = enumerate(self.bounds)
         where = ((2 * found[:, i - 2] - sum(q)) / (q[1] - q[0]) for i, q in ends)
         return np.column_stack([found[:, :-2] / self.sizes, *where])
@@ -98,7 +98,7 @@ class Plane:
         return first, second
 
     def orbit(self, y: Vector) -> ExactOrbit | None:
-        """Return an exact orbit as users hold it; None of a motion that nothing ends."""
+        """Return the exact orbit of a point; None of a motion of one phase that never ends."""
         if self.course.endless:
             return None
         names = (self.case.scene.parameters[i].name for i in self.indices)
