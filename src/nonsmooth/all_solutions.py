@@ -36,7 +36,7 @@ class RealSolution:
     slip, t1, period : float
         In s; `t1` may be negative.
     violations : tuple of str
-        What keeps it from being an orbit; empty of the orbit.
+        Why it is not an orbit; empty if it is.
     transition_mismatch : float or None
         `StickSlipOrbit.transition_mismatch`; None where `t1` is not positive.
     """
@@ -49,7 +49,7 @@ class RealSolution:
 
 
 def solutions(belt: "StickSlip", order: int) -> list[RealSolution]:
-    """Return all real solutions of (18) to (20), orbits or not, by their durations of slip.
+    """Return all real solutions of (18) to (20), orbits or not, by ascending slip duration.
 
     Raises
     ------
@@ -95,7 +95,7 @@ def isolated(order: int, alpha: float) -> list[tuple[float, float]]:
 
 
 def alpha_of(order: int, slip: float) -> float:
-    """Return the `alpha` of which a slip duration solves (18) to (20) at an order.
+    """Return the `alpha` for which (18) to (20) have a given slip duration at an order.
 
     For the exact orbit it is ``-tan(s/2)``.
     """
@@ -179,7 +179,7 @@ def _system(order: int, square: Fraction) -> list[list[Fraction]]:
 def _eliminate(rows: list[list[Fraction]]) -> tuple[Fraction, list[Fraction]] | None:
     """Return determinant and solution of the augmented system, which is overwritten.
 
-    By Gauss, from the ends of the band on: what is zero is skipped.
+    Gaussian elimination that skips zeros: the matrix is almost banded.
     """
     determinant, size = Fraction(1), len(rows)
     filled: list[list[int]] = []

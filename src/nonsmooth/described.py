@@ -15,16 +15,16 @@ from nonsmooth.solver.scenes.methods import in_order, shown
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
 
-#: What the coefficients of an equation of motion stand before, right side last.
+#: The factors of the coefficients of an equation of motion, left and right side.
 LEFT, RIGHT = ("x''", "x'", "x"), ("", "cos(Omega t + phi)")
 
 
-#: What is said of a parameter.
+#: The fields of a parameter in the document.
 PARAMETER = ("name", "symbol", "unit", "default", "what", "expected", "bound", "most")
 
 
 def brief(scene: "LoadedScene") -> dict[str, Any]:
-    """Return what a list of scenes says of one."""
+    """Return the entry of a scene in the list of all scenes."""
     return {
         "name": scene.name,
         "what": scene.title,
@@ -45,7 +45,7 @@ def _orders(scene: "LoadedScene") -> list[dict[str, Any]]:
 
 
 def document(scene: "LoadedScene") -> dict[str, Any]:
-    """Return all of a scene."""
+    """Return the whole document of a scene."""
     module = scene.module
     return {
         "name": scene.name,
@@ -75,7 +75,7 @@ def document(scene: "LoadedScene") -> dict[str, Any]:
 
 
 def _body(scene: "LoadedScene") -> dict[str, Any]:
-    """Return what the body of a scene is: degrees of freedom, contacts, modes, damping."""
+    """Return degrees of freedom, contacts, modes and damping of the body of a scene."""
     from nonsmooth.solver.scenes.bodies.cell import matrices_of  # noqa: PLC0415  (NumPy)
 
     ratio, modes = rows(scene.module, "modal")
@@ -142,7 +142,7 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
 
 
 def _jumps(row: tuple[str, ...]) -> str | None:
-    """Return what the switch at the end of a phase makes of each velocity, if it does."""
+    """Return the jumps of the velocities at the end of a phase, as text; None without any."""
     found = (
         f"x' -> {linear((rho, d), STATE[1::2])}"
         for rho, d in zip(row[::2], row[1::2], strict=True)
@@ -154,15 +154,15 @@ def _jumps(row: tuple[str, ...]) -> str | None:
 #: Texts of coefficients that are 0, and 1.
 ZERO, ONE = ("0", "0.0"), ("1", "1.0")
 
-#: What a linear form is linear in.
+#: The variables of a linear form.
 STATE = ("x", "x'", "cos(Omega t + phi)", "")
 
-#: The same of another contact of a body.
+#: The variables of a further contact of a body.
 CONTACT = ("x_{}", "x_{}'", "force_{}", "x_{}''")
 
 
 def state_of(contacts: tuple[str, ...]) -> tuple[str, ...]:
-    """Return what a linear form of a body is linear in.
+    """Return the variables of a linear form of a body.
 
     Examples
     --------
@@ -175,7 +175,7 @@ def state_of(contacts: tuple[str, ...]) -> tuple[str, ...]:
 
 @cache
 def rows(module: ModuleType, function: str) -> tuple[Any, ...]:
-    """Return what a function of the module returns, as text: a tuple for each phase.
+    """Return the expressions that a function of the module returns, as text, by phase.
 
     It has expressions, or rows of them; of a single expression it is a tuple of one.  Of a
     function that is not there it is empty.
@@ -227,7 +227,7 @@ def _text(node: ast.expr) -> str:
 
 
 def _signed(text: str) -> tuple[bool, str]:
-    """Return whether there is a minus before all of it, and the rest."""
+    """Return whether a product or quotient begins with a minus, and the text without it."""
     node = ast.parse(text, mode="eval").body
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         return True, _text(node.operand)

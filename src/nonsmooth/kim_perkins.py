@@ -161,12 +161,12 @@ class StickSlip(Case):
         return shown(self.scene, method)
 
     def presented(self, motion: Any) -> Any:
-        """Return an orbit of this case, exact or not, as the paper has it."""
+        """Return an orbit of this case, exact or not, with the paper's quantities."""
         kind = ExactStickSlipOrbit if isinstance(motion, ExactOrbit) else StickSlipOrbit
         return kind.of(motion)
 
     def completed(self, document: dict[str, Any], exact: ExactOrbit | None) -> dict[str, Any]:
-        """Return the document of an orbit that is not there with all keys of one that is."""
+        """Return the document of an orbit that was not found with all keys of one that was."""
         known = document["exact"] | {"t1": exact and exact.durations[0]}
         return super().completed(document, exact) | {
             "transition_mismatch": None,
@@ -174,7 +174,7 @@ class StickSlip(Case):
         }
 
     def none(self, method: str, order: int, tried: Sequence[str]) -> NoOrbit | None:
-        """Return that a method has no orbit at an order, where that can be shown."""
+        """Return a `NoOrbit` with a proof that a method has no orbit at an order, else None."""
         if method != "ck" or order > MOST_ISOLATED:
             return None
         try:
@@ -189,7 +189,7 @@ class StickSlip(Case):
 
 
 def as_in_paper(case: Case) -> Case:
-    """Return a case under the paper's names if it is of the paper's scene; else as it is."""
+    """Return a case of the paper's scene as a `StickSlip`, any other as it is."""
     if case.scene != load(SCENE):
         return case
     return StickSlip(**case.values)
@@ -197,7 +197,7 @@ def as_in_paper(case: Case) -> Case:
 
 @dataclass(frozen=True)
 class StickSlipErrors(Errors):
-    """Errors of an orbit, with those of the paper beside.
+    """Errors of an orbit, with those that the paper uses.
 
     Parameters
     ----------
@@ -218,13 +218,13 @@ class StickSlipErrors(Errors):
 
 
 class _Belt(Motion):
-    """What orbits of the belt have, exact or not."""
+    """What all orbits of the belt have, exact or not."""
 
     case: StickSlip
 
     @classmethod
     def of(cls, motion: ExactOrbit | Solution) -> Self:
-        """Return an orbit as the paper has it."""
+        """Return an orbit with the paper's quantities."""
         assert isinstance(motion.case, StickSlip)
         return cls(**{field.name: getattr(motion, field.name) for field in fields(motion)})
 

@@ -38,12 +38,12 @@ Examples:
 
 
 class _ReaderLeft(Exception):  # noqa: N818
-    """The reader of stdout has left: what it wanted it has."""
+    """The reader of stdout has closed the pipe: it has what it wanted."""
 
 
 @contextlib.contextmanager
 def _reader() -> Iterator[None]:
-    """Tell a reader that has left from other errors of files."""
+    """Raise `_ReaderLeft` in place of a broken pipe."""
     try:
         yield
     except BrokenPipeError as error:
@@ -134,7 +134,7 @@ def _said(error: click.UsageError) -> str:
 
 
 def _print_what_can_be() -> None:
-    """Let a character that a terminal does not have be a question mark, not an error."""
+    """Print a question mark, not an error, for a character that a terminal does not have."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
             stream.reconfigure(errors="replace")

@@ -31,7 +31,7 @@ About = TypeVar("About", "LoadedScene", "Structure")
 
 @dataclass(frozen=True)
 class Given(Generic[About]):
-    """What the command line gives of a scene or a structure: a case file, flags by parameter.
+    """What the command line says of a scene or structure: case file, and flags of parameters.
 
     `said` is what the user called it; empty where nothing is named.
     """
@@ -56,13 +56,13 @@ class Given(Generic[About]):
 
     @property
     def where(self) -> str:
-        """The case file, before what is wrong with its content."""
+        """The case file, as the beginning of a message on its content."""
         return "" if self.file is None else f"{self.file}: "
 
 
 @dataclass(frozen=True)
 class Verb:
-    """What a command does with the scene or structure that is named.
+    """A command of a scene or structure: its function, help and options.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ class Verb:
 
 
 class BehindName(click.Command):
-    """A command behind whose name that of a scene or a structure may stand.
+    """A command whose first argument may name a scene or a structure.
 
     `word` is what the usage line has for it, `names` are those that come with the program.
     """
@@ -114,7 +114,7 @@ class BehindName(click.Command):
     word = ""
 
     def names(self) -> tuple[str, ...]:
-        """Return what may be named: nothing."""
+        """Return the names that may follow the command: none here."""
         return ()
 
     def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
@@ -175,7 +175,7 @@ class CommandAbout(BehindName):
 
 
 def _without_gaps(examples: str) -> str:
-    """Return examples without the spaces that are left where nothing is named."""
+    """Return examples without the double spaces that an empty name leaves."""
     lines = examples.replace("  --", " --").split("\n")
     return "\n".join(line.rstrip() for line in lines)
 
@@ -183,7 +183,7 @@ def _without_gaps(examples: str) -> str:
 def option(
     names: str, type_: Any, help_: str, kind: type[click.Option] = click.Option, **more: Any
 ) -> click.Option:
-    """Return an option, by its flag and perhaps a name behind it; without a type, a switch."""
+    """Return an option from its flags and name; without a type it is a switch."""
     how = {"is_flag": True} if type_ is None else {"type": type_}
     return kind(names.split(), help=help_, **how, **more)
 

@@ -21,7 +21,7 @@ else:  # not generic in click 8.2
 
 
 class Aliased(click.Option):
-    """An option that has another name, an alias, as well, which is not shown."""
+    """An option with an alias that the help does not show."""
 
     def __init__(self, *arguments: Any, alias: str, **options: Any) -> None:
         super().__init__(*arguments, **options)
@@ -45,7 +45,7 @@ class Once(click.Option):
 
 
 def _only(ctx: click.Context, option: click.Parameter, given: tuple[Any, ...]) -> Any:
-    """Return what an option was given; None without it."""
+    """Return the single value of an option; None without it."""
     if len(given) > 1:
         every = " and ".join(map(str, given))
         raise Problem(f"{option.opts[0]}: got {every}, expected one of them")
@@ -53,7 +53,7 @@ def _only(ctx: click.Context, option: click.Parameter, given: tuple[Any, ...]) -
 
 
 class OneOrder(IntegerType):
-    """One order, in the ways in which `sweep` takes several."""
+    """The type of one order, which may be written as a list of one, as `sweep` takes it."""
 
     name = "integer"
 

@@ -57,7 +57,7 @@ def _drawn(table: Table) -> str:
 
 
 def _parts(table: Table, console: Console) -> list[Table]:
-    """Return a table that fits: with smaller gaps, units below their headings, or in parts."""
+    """Return a table that fits the width: with smaller gaps, two-line headings, or in parts."""
 
     def width() -> int:
         return console.measure(table).maximum
@@ -110,7 +110,7 @@ def filled(text: str, indent: str = "") -> str:
 
 
 def filled_parameters(words: str) -> str:
-    """Return parameters in lines; none is divided."""
+    """Return parameters in lines, broken between parameters only."""
     glued = re.sub(r"(?<![,;]) ", "\0", words)
     return textwrap.fill(glued, WIDTH).replace("\0", " ")
 

@@ -70,7 +70,7 @@ def structure_named(name: str) -> "Structure":
 
 @dataclass(frozen=True)
 class Kind:
-    """What can be named: scenes, or structures.
+    """What a name stands for: scenes, or structures.
 
     The module ``commands`` of the package has ``command(verb, about, said)``, which makes the
     command; `word` stands for a name in the usage line.  `named` returns what a text names; a
@@ -88,7 +88,7 @@ STRUCTURES = Kind("space", "[STRUCTURE]", structure_names, structure_named)
 
 
 class NamedCommand(BehindName):
-    """A command that becomes that of the scene or structure that its arguments name.
+    """A command that hands over to the command of the scene or structure it is given.
 
     `kinds` are what its first argument may name, if anything; `default` is meant where nothing
     is named, or without one this command itself.
@@ -102,7 +102,7 @@ class NamedCommand(BehindName):
         self.kinds, self.default, self.word = kinds, default, kinds[0].word if kinds else ""
 
     def chosen(self, arguments: list[str]) -> tuple[click.Command, str, list[str]]:
-        """Return the command that arguments mean, what it is about as named, and the rest.
+        """Return the command for the named scene or structure, its name, other arguments.
 
         That is the first argument, or what the table of a case file names; errors are those of
         `Kind.named`.
@@ -120,5 +120,5 @@ class NamedCommand(BehindName):
         return command, said or "", rest
 
     def names(self) -> tuple[str, ...]:
-        """Return what may be named and comes with the program."""
+        """Return the names of all shipped scenes or structures."""
         return tuple(name for kind in self.kinds for name in kind.names())

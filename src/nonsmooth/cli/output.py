@@ -79,7 +79,7 @@ def check_folder_of(path: Path) -> None:
 
 @contextmanager
 def telling(path: Path) -> Iterator[None]:
-    """Say that a file or folder is written, once it is; a `Problem` if it cannot be."""
+    """Report that a file or folder is written; a `Problem` if it cannot be."""
     try:
         yield
     except OSError as error:
@@ -126,7 +126,7 @@ class Destination:
     file: Path | None
 
     def show(self, text: str, pieces: "Iterable[Piece]") -> None:
-        """Print the document of a result, or tables and texts, which else are not made."""
+        """Print the document of a result or, not for ``--json``, its tables and texts."""
         if self.json:
             click.echo(text, nl=False)
         else:

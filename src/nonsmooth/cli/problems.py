@@ -1,4 +1,4 @@
-"""A mistake of the user, or an orbit that is not there: one sentence, and lines below it."""
+"""Messages on bad input and on orbits that do not exist: one sentence, and lines below it."""
 
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -59,16 +59,13 @@ def is_verbose() -> bool:
 
 
 def reasons(finding: "NoOrbit") -> tuple[str, ...]:
-    """Return what a search in vain found: one sentence, then what is known, and was tried.
-
-    The reason of what is shown is one sentence; that of a search has further ones behind it.
-    """
+    """Return why there is no orbit: one sentence, then further findings and what was tried."""
     found, *known = [finding.reason] if finding.proven else finding.reason.split("; ")
     return found, *known, *_shortened(finding.tried)
 
 
 def _shortened(tried: Sequence[str]) -> Iterator[str]:
-    """Yield the first and the last of what was tried, with how much there is between."""
+    """Yield the first and last lines of what was tried, and how many are left out."""
     left_out = 0 if is_verbose() else len(tried) - MOST_TOLD
     if left_out <= 1:  # a line that says so would be as long
         yield from tried
@@ -96,7 +93,7 @@ def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
 
 @contextmanager
 def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
-    """Turn a wrong argument into the problem of its option; `names` where that is another."""
+    """Turn a `ValueError` on an argument into a `Problem` of the option; `names` maps them."""
     try:
         yield
     except ValueError as error:
@@ -110,7 +107,7 @@ def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[Non
 
 @contextmanager
 def wrong_values(of: str = "") -> Iterator[None]:
-    """Turn parameters that are not admitted into a problem, behind where they are from."""
+    """Turn a `ParameterError` into a `Problem`; `of` says where the parameters are from."""
     from nonsmooth.solver.scenes.parameter_error import ParameterError
 
     try:
@@ -120,7 +117,7 @@ def wrong_values(of: str = "") -> Iterator[None]:
 
 
 def print_warnings() -> None:
-    """Let warnings of this package be one line each on stderr, and others what they are."""
+    """Print warnings of this package as one line on stderr; leave others as they are."""
     others = warnings.showwarning
 
     def show(

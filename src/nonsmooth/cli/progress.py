@@ -1,6 +1,6 @@
-"""Progress on stderr, of what takes long: a bar on a terminal, else a plain line now and then.
+"""Progress on stderr: a bar on a terminal, else a plain line now and then.
 
-What is done sooner says nothing: a terminal shows a bar after `SOON` seconds, elsewhere the
+Short tasks print nothing: a terminal shows a bar after `SOON` seconds, elsewhere the
 first line comes after `QUIET` seconds.
 """
 
@@ -26,9 +26,9 @@ MINUTE = 60.0
 
 @contextmanager
 def progress(total: int, task: str) -> Iterator[Callable[[str], None]]:
-    """Yield a callback that takes what has just been done, in words; `total` of them.
+    """Yield a callback to be called with words on each of `total` parts that is done.
 
-    Where that is one, it says nothing.
+    A single part shows no progress.
     """
     if total == 1:
         yield lambda done: None
@@ -47,7 +47,7 @@ def progress(total: int, task: str) -> Iterator[Callable[[str], None]]:
 
 @contextmanager
 def busy(task: str) -> Iterator[Callable[[str], None]]:
-    """Show that something goes on that may take long; yield a callback for what that is now."""
+    """Show that a task goes on; yield a callback to be called with what it does now."""
     console = _terminal()
     if console is None:
         with _lines(task) as say:
@@ -59,7 +59,7 @@ def busy(task: str) -> Iterator[Callable[[str], None]]:
 
 
 def _terminal() -> "Console | None":
-    """Return what draws on stderr; None where that is not a terminal."""
+    """Return a console on stderr; None where that is not a terminal."""
     if not sys.stderr.isatty():
         return None
     from rich.console import Console
@@ -70,7 +70,7 @@ def _terminal() -> "Console | None":
 
 @contextmanager
 def _shown_later(display: AbstractContextManager[object]) -> Iterator[None]:
-    """Show a display once `SOON` is over, and take it away in the end."""
+    """Show a display after `SOON` seconds, and remove it in the end."""
     with ExitStack() as shown:
         timer = threading.Timer(SOON, shown.enter_context, [display])
         timer.daemon = True
@@ -84,7 +84,7 @@ def _shown_later(display: AbstractContextManager[object]) -> Iterator[None]:
 
 @contextmanager
 def _lines(task: str) -> Iterator[Callable[[str], None]]:
-    """Write a line after `QUIET` seconds, and each minute, with what is said to go on."""
+    """Print a line after `QUIET` seconds and every minute, with the words of the callback."""
     begin, over, current = time.monotonic(), threading.Event(), [task]
 
     def write() -> None:

@@ -174,6 +174,6 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
 
 
 def _all_are(things: Any, kind: type) -> bool:
-    """Return whether it is a sequence, not empty, of things of one kind."""
+    """Whether `things` is a nonempty sequence of results of one kind."""
     several = isinstance(things, Sequence) and not isinstance(things, str) and len(things) > 0
     return several and all(isinstance(thing, kind) for thing in things)

@@ -14,7 +14,7 @@ SAME = 1e-9
 
 
 def check(right: bool, problem: str) -> None:
-    """Check what is said to be right; a `NotRightError` if it is not."""
+    """Raise a `NotRightError` with the words `problem` unless `right`."""
     if not right:
         raise NotRightError(problem)
 
@@ -26,19 +26,19 @@ def positive(name: str, value: Any) -> None:
 
 
 def not_negative(name: str, value: Any) -> None:
-    """Check that a number is not below 0; one that is not known is None."""
+    """Check that a number is not negative; None stands for one that is not known."""
     right = value is None or (is_real(value) and value >= 0)
     check(right, f"{name} is {value!r}, expected a number not below 0")
 
 
 def same(name: str, value: Any, expected: float, of: str) -> None:
-    """Check that a number is what others say."""
+    """Check that a number agrees with others in the file."""
     right = is_real(value) and abs(value - expected) <= SAME * abs(expected)
     check(right, f"{name} is {value!r}, but {of} give {expected!r}")
 
 
 def times(row: Mapping[str, Any], durations: Iterable[Any]) -> None:
-    """Check the period of a row, and that its durations are its parts."""
+    """Check that the durations of a row add up to its period."""
     positive("period", row["period"])
     parts = list(durations)
     for index, duration in enumerate(parts, 1):

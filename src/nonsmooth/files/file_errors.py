@@ -27,16 +27,16 @@ class FileWarning(UserWarning):
 
 
 class NotRightError(ValueError):
-    """A number that cannot be right; the message names it."""
+    """A number that is inconsistent or out of range; the message names it."""
 
 
 def other_kind(path: Path) -> FileError:
-    """Return the error of a file that holds what is written for other programs."""
+    """Return the error for a file that is meant for other programs."""
     return FileError(path, "holds no orbit, sweep or family: nothing else can be loaded")
 
 
 def damaged(path: Path, how: str) -> FileError:
-    """Return the error of a file that cannot be right."""
+    """Return the error for a damaged file."""
     return FileError(path, f"damaged: {how}")
 
 

@@ -67,7 +67,7 @@ def parsed(path: Path, text: bytes | str) -> dict[str, Any]:
 
 
 def check_schema(path: Path, schema: object) -> None:
-    """Check that the file is of a schema known here; a `FileError` if it is not."""
+    """Check that a file has a schema version that this version reads; else a `FileError`."""
     if isinstance(schema, Integral) and int(schema) > SCHEMA:
         newer = f"schema {schema} is from a newer nonsmooth"
         raise FileError(path, f"{newer}; this one knows up to {SCHEMA}")
