@@ -228,20 +228,29 @@ def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
 def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     """Return on which other order of phases a motion settles, and that in words."""
     count = round(sum(q.s for q in again) / cycle(cell))
-    names = ", ".join(q.named.called([phase.name for phase in cell.phases]) for q in again)
+    called = [phase.name for phase in cell.phases]
+    names = ", ".join(q.named.called(called) for q in again)
     every = "each period" if count == 1 else f"every {count} periods"
     within = f", in {every} of the forcing" if cell.forced else ""
-    words = f"a simulation settles on another order of phases: {names}{within}"
-    return Settled(None, words, _in_order(cell, again, count if cell.forced else 1))
+    why = _no_order(cell, again)
+    found = None if why else _in_order(cell, again, count if cell.forced else 1)
+    what = f"phases that are no order, as {why}" if why else "another order of phases"
+    return Settled(None, f"a simulation settles on {what}: {names}{within}", found)
 
 
-def _in_order(cell: Cell, own: tuple[Segment, ...], cycles: int) -> Other | None:
+def _no_order(cell: Cell, own: tuple[Segment, ...]) -> str:
+    """Return in words why phases that repeat are no order of a scene; empty if they are one."""
+    called = [phase.name for phase in cell.phases]
+    for q in own:
+        if q.step is None:
+            return f"{q.began.called(called)} ends there, but not by its event"
+    missing = {q.phase for q in cell.memory} - {q.named.phase for q in own}
+    return next((f"{called[p]}, which sets a memory, is not among them" for p in missing), "")
+
+
+def _in_order(cell: Cell, own: tuple[Segment, ...], cycles: int) -> Other:
     """Return the phases that repeat as an order, and the times of its cell."""
-    steps = tuple(q.step for q in own if q.step is not None)
-    set_by = {memory.phase for memory in cell.memory}
-    if len(steps) < len(own) or not set_by <= {step.phase for step in steps}:
-        return None
-    order, half = Order(steps), len(own) // 2
+    order, half = Order(tuple(q.named for q in own)), len(own) // 2
     if all(_alike(one.s, two.s) for one, two in zip(own[:half], own[half:], strict=False)):
         order = half_if_mirrored(cell, order)  # the motion is, and not only its order
     own = own[: len(order.steps)]
