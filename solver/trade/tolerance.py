@@ -3,11 +3,12 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ..accuracy.estimate import ROUNDING
-from ..exact import exact_orbit
+from ..exact import ExactOrbit, exact_orbit
 from ..existence.known import known_orbits
 from ..kernels import registry
 from ..no_orbit import NoOrbit
@@ -18,7 +19,7 @@ from ..results.orbit import Orbit
 from ..scenes.case import Case
 from ..scenes.methods import FIRST, about, shown
 from ..scenes.parameter_error import is_number
-from ..search import COARSE, HIGHEST_ORDER
+from ..search import COARSE, HIGHEST_ORDER, Search
 from ..solve import number_of_functions, solve_case, with_motion
 from .choice import MARGIN, Choice, NotCertified, Trial, size
 
@@ -119,15 +120,32 @@ class _Search:
         if far is not None:
             self.trials.append(Trial(name, order, far))
             return None
-        try:
-            orbit = solve_case(self.case, self.method, order, self.functions)
-        except NoOrbit as finding:
-            self.finding = finding
+        orbit = self._orbit(order)
+        if orbit is None:
             self.trials.append(Trial(name, order, None))
             return None
         name = shown(self.case.scene, orbit.method)
         self.trials.append(Trial(name, order, orbit.estimate))
         return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
+
+    def _orbit(self, order: int) -> Orbit | None:
+        """Return the orbit of an order, if one is found.
+
+        Beyond coarse ones, behind one that had none, it starts from the exact orbit alone.
+        """
+        behind_none = bool(self.trials) and self.trials[-1].estimate is None
+        if not (order > max(COARSE) and behind_none and self._exact):
+            try:
+                return solve_case(self.case, self.method, order, self.functions)
+            except NoOrbit as finding:
+                self.finding = finding
+                return None
+        words = "the times of the exact orbit"
+        search = Search(self._exact.case, self.method, order, self.functions, words)
+        found = search.orbit(self._exact.times)
+        if found is None and self.finding is not None:
+            self.finding.tried += tuple(search.tried)
+        return found
 
     def _beyond(self, order: int) -> Errors | None:
         """Return the errors of a body's solution next to its exact orbit, if too large.
@@ -165,11 +183,11 @@ class _Search:
 
         Infinite where they do not fall any more; 0 where too little is known.
         """
-        known = self.known()
+        known, last = self.known(), self.trials[-1].order
         if len(known) < 2 * PATIENCE:
             return 0.0
         before = min(error for _, error in known[:-PATIENCE])
-        resolved = before < RESOLVED or known[-1][0] > 4 * EVERY
+        resolved = before < RESOLVED or last > 4 * EVERY
         if resolved and min(error for _, error in known[-PATIENCE:]) > LEAST_FALL * before:
             return math.inf
         if not about(self.method).power:
@@ -180,16 +198,17 @@ class _Search:
             return 0.0
         return float(np.exp(min((math.log(MARGIN * self.tol) - at_1) / power, 700.0)))
 
-    def _is_there(self) -> bool:
-        """Whether an exact orbit is known: any order starts from it, else all start alike."""
+    @cached_property
+    def _exact(self) -> ExactOrbit | None:
+        """The exact orbit, if it is known: any order starts from it, else all start alike."""
         try:
-            return bool(exact_orbit(self.case))
+            return exact_orbit(self.case)
         except NoOrbit:
-            return False
+            return None
 
     def hopeless(self) -> bool:
         """Whether no order that can be computed will do; a fit to few orders is not trusted."""
         if not self.known():
-            return self.trials[-1].order > max(COARSE) and not self._is_there()
+            return self.trials[-1].order > max(COARSE) and self._exact is None
         far = FAR if self.trials[-1].order > 2 * EVERY else FAR_AT_FIRST
         return self.needed() > far * HIGHEST_ORDER

@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth.report.case import DEFAULT
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.trade.choice import MARGIN
 
 EXAMPLES = int(os.environ.get("EXAMPLES", "800"))
@@ -81,6 +83,28 @@ def test_orders_go_on_to_those_that_resolve_a_short_phase(method: str, tol: floa
     orbit = ns.solve(belt_at(1e-5), method, tol=tol)
     assert 17 <= orbit.order <= 20
     assert true_errors(orbit) <= tol
+
+
+@pytest.mark.parametrize(
+    ("method", "tol", "said"),
+    [
+        ("hb", 1e-9, "the times of the exact orbit: hb, N = 400"),
+        ("hb-c1", 1e-2, "not fall any"),
+    ],
+)
+def test_orders_behind_one_without_an_orbit_start_once(monkeypatch, method, tol, said) -> None:
+    """The stick is 640 times as long as the slip, which these methods do not resolve."""
+    orders: list[int] = []
+
+    def counted(kernel, case, order, *more):
+        orders.append(order)
+        return attempt(kernel, case, order, *more)
+
+    monkeypatch.setattr("nonsmooth.solver.search.attempt", counted)
+    with pytest.raises((NoOrbit, ns.NotCertified), match=said):
+        ns.solve(belt_at(1000), method, tol=tol)
+    beyond = [order for order in orders if order > 44]  # the first where hb-c1 has none
+    assert len(set(beyond)) == len(beyond) > 3
 
 
 def test_errors_that_do_not_fall_yet_are_not_extrapolated() -> None:
