@@ -1,5 +1,6 @@
 """The multipliers of an orbit, whether it is stable, and how far it is from the boundary."""
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -119,7 +120,7 @@ def _rounding(found: Monodromy, values: Complex, j: int) -> float:
         return 0.0
     if found.forgotten >= len(values) - 1:
         return ROUNDING * float(np.trace(found.size))
-    moved = ROUNDING * float(np.linalg.norm(found.size))
+    moved = ROUNDING * math.hypot(*found.size.ravel())  # squares of 1e-200 would be 0
     distance = np.abs(np.delete(values, j) - values[j]).min(initial=np.inf)
     if distance <= np.sqrt(moved):
         return float(np.sqrt(moved))

@@ -18,8 +18,8 @@ from nonsmooth.solver.iteration.linear import product
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.stability.in_words import in_words
-from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy
-from nonsmooth.solver.stability.stability import stability
+from nonsmooth.solver.stability.monodromy import Monodromy, NoMultipliersError, monodromy
+from nonsmooth.solver.stability.stability import of_monodromy, stability
 
 IMPACT, CLEARANCE = registry.load("impact"), registry.load("clearance")
 BACKLASH, FRICTION = registry.load("backlash"), registry.load("dry-friction")
@@ -359,3 +359,10 @@ def test_rounding_of_many_phases_is_not_the_product_of_their_sizes() -> None:
     found, size = product(turns, np.abs(turns))
     assert abs(found - np.linalg.multi_dot(turns[::-1])).max() < 1e-14
     assert 24 < size.max() < 24 * 8  # of all sizes multiplied it would be 1e9
+
+
+def test_multipliers_of_which_nothing_is_left_are_stable() -> None:
+    """The squares of what rounding may be of 1e-270 are 0."""
+    matrix = np.array([[0.0, 8.373540013977102e-273], [-8.373540013977103e-269, 0.0]])
+    found = of_monodromy(CLEARANCE().cell, Monodromy(matrix, 1e5 * np.abs(matrix), 0))
+    assert found.stable
