@@ -7,6 +7,7 @@ from functools import partial
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import made
 from scipy.optimize import brentq
 
 import nonsmooth as ns
@@ -218,3 +219,20 @@ def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:
     freely = exact_orbit(latch(gap=event.parameter, least=1e-3))
     _, speed, *_ = signals(freely.case.cell, 0, freely.times, 0, np.ones(1))[:, 0]
     assert speed * freely.case.units.of_motion(1) == pytest.approx(1.4, rel=1e-13)
+
+
+@pytest.mark.parametrize("size", [1e-6, 1e9])
+def test_beyond_a_grazing_it_goes_on_whatever_the_units(size: float) -> None:
+    """What the displacement is in the units of a scene may be far from 1."""
+
+    def response(size: float) -> ns.Branch:
+        contact, free = (1, 0.2, 5, 2 * size, size), (1, 0.2, 1, 0, size)
+        demands = {"in contact": (1, 0, 0, -size / 2)}, {"free": (-1, 0, 0, size / 2)}
+        scene = made([contact, free], [(1, 0, 0, -size / 2)] * 2, omega=1.3, demands=demands)
+        return ns.branch(scene(), "frequency", 1.2, 2.6)
+
+    one, found = response(1.0), response(size)
+    (grazing,), (expected,) = found.events, one.events
+    assert grazing.kind == "grazing"
+    assert grazing.parameter == pytest.approx(expected.parameter, rel=1e-9)
+    assert found.why_it_ended == one.why_it_ended == ("the end of the range",) * 2

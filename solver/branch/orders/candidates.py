@@ -6,6 +6,8 @@ A phase of duration zero is inserted or removed, by the rules of which phase may
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from ...scenes.orders import Order, Step, image
 from ...simulation.followers import may_follow
 from ..course import ROUNDING, Course
@@ -151,7 +153,8 @@ class AtEvent:
         before = self.course.moving_at(*given, last, self.slots[last].s)[1]
         before *= self.cell.sign if p == 0 else 1
         after = self.course.moving_at(*given, p, 0.0)[1]
-        return abs(after - before) > ROUNDING * max(abs(before), 1.0)
+        fastest = float(np.abs(self.found.place.extremes[1]).max())
+        return abs(after - before) > ROUNDING * fastest
 
     def _uncrossed(self, p: int) -> Iterator[Candidate]:
         """Yield the order in which phase p does not end at its event, but goes on."""

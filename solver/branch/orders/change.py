@@ -99,7 +99,8 @@ def _led(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place
     y = bare.corrected(y, border)
     for side in (ahead, -ahead):
         try:
-            return _admitted(bare, bare.corrected(y + side * border, border), side * border)
+            y_aside = bare.corrected(y + side * border / bare.along.weights, border)
+            return _admitted(bare, y_aside, side * border)
         except NoStepError:
             continue
     raise NoStepError
