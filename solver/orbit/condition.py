@@ -6,6 +6,7 @@ from ..arrays import Vector
 from ..bodies.exact import event_sizes
 from ..flow.exact_system import exact_kernel, unknowns_of
 from ..scenes.bodies.cell import BodyCell
+from ..scenes.cell import Cell
 from .motion import Motion
 
 #: Rounding of a sum over modes, as many times that of each of its terms.
@@ -17,8 +18,11 @@ def moved_times(motion: Motion, with_sums: bool = False) -> Vector:
 
     ``|J^-1| |J| |z|``, by Skeel, with the Jacobian J of the exact equations at the unknowns z,
     near one of their solutions: durations and the phase of the forcing, without units.  It does
-    not depend on the units of conditions and unknowns, and is infinite where J is singular.  Of
-    a body the times alone are unknown: `with_sums`, what its events add up is rounded as well.
+    not depend on the units of conditions and unknowns, and is infinite where J is singular.
+
+    The velocity at which a phase is held is no unknown: where a phase begins and ends at it,
+    what is rounded is the change between.  Of a body the times alone are unknown.  `with_sums`,
+    both are added up and rounded: velocities, and the events of a body.
     """
     cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
     z = unknowns_of(motion)
@@ -30,7 +34,13 @@ def moved_times(motion: Motion, with_sums: bool = False) -> Vector:
     sizes = np.abs(z)
     if cell.forced:
         sizes[-1] = max(1.0, sizes[-1])  # a cosine is rounded at a small angle too
-    terms = np.abs(J) @ sizes
+    weights = np.abs(J)
+    if not (with_sums or isinstance(cell, BodyCell)):
+        begun = np.empty_like(J)
+        kernel.jacobian(cell, _at_once(cell, z), begun)
+        exact = _held_velocities(cell)
+        weights[:, exact] = np.abs(J[:, exact] - begun[:, exact] / rows[:, None])
+    terms = weights @ sizes
     if with_sums and isinstance(cell, BodyCell):
         events = slice(len(cell.phases))
         terms[events] += OF_MODES * event_sizes(cell, z) / rows[events]
@@ -38,3 +48,20 @@ def moved_times(motion: Motion, with_sums: bool = False) -> Vector:
         return kernel.times(np.abs(np.linalg.inv(J)) @ terms)
     except np.linalg.LinAlgError:
         return kernel.times(np.full(len(z), np.inf))
+
+
+def _at_once(cell: Cell, z: Vector) -> Vector:
+    """Return the unknowns with phases of no duration: in their Jacobian no state changes."""
+    found, before = z.copy(), len(z) - len(cell.phases) - cell.forced
+    found[before : len(z) - cell.forced] = 0.0
+    return found
+
+
+def _held_velocities(cell: Cell) -> list[int]:
+    """Return which unknowns are velocities at which a phase is held, or begins behind one."""
+    found = []
+    for p, phase in enumerate(cell.phases):
+        before = cell.phases[p - 1]
+        if phase.held or (before.held and (before.rho, before.d) == (1.0, 0.0)):
+            found.append(2 * p + 1)
+    return found

@@ -189,6 +189,14 @@ def test_at_random_distances_from_a_fold_the_estimate_holds(count: int) -> None:
     assert closest < 1e-3
 
 
+@pytest.mark.parametrize("alpha", [1e-4, 1e-7, 1e-8])
+def test_a_short_stick_is_as_accurate_as_it_is_said_to_be(alpha: float) -> None:
+    """Slip ends at the velocity at which it begins, with little acceleration."""
+    for method in ("ck-tau", "hb"):
+        orbit = ns.solve(belt_at(alpha), method, 20)
+        assert orbit.errors.times <= orbit.estimate.times <= 10 * orbit.errors.times + 5e-15
+
+
 def test_where_nothing_is_ill_conditioned_the_least_rounding_counts() -> None:
     """Skeel's number is above that by the parameters, found by differences, and not far."""
     for scene in map(registry.load, ONE_MASS):
