@@ -12,11 +12,14 @@ from .kernels.start import PATIENCE, RoughTimes, rough_times
 from .no_orbit import NoOrbit, of_any_motion
 from .orbit.exact_orbit import ExactOrbit, from_times
 from .scenes.case import Case, check_case
-from .scenes.orders import OrderedScene
+from .scenes.orders import OrderedScene, declared_as, half_if_mirrored, in_order
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 from .stability.stability import is_stable
 
 __all__ = ["ExactOrbit", "exact_orbit"]
+
+#: Differences of durations, as parts of a cell, below which two halves of it are alike.
+SAME = 1e-9
 
 
 def exact_orbit(
@@ -83,8 +86,28 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
         return None
     starts = chain(_declared(case) if beside else (), settled_cases(case))
     found = (from_times(each, times) for each, times in starts)
-    orbits = (q for q in found if q.outcome.converged and q.admissible)
+    orbits = (_by_half(q) for q in found if q.outcome.converged and q.admissible)
     return next((q for q in orbits if not beside or is_stable(q) is not False), None)
+
+
+def _by_half(orbit: ExactOrbit) -> ExactOrbit:
+    """Return an orbit as one of half a period, if its other half is the mirror image.
+
+    A simulation that settles slowly does not tell that.
+    """
+    scene, durations = orbit.case.scene, orbit.cell_durations
+    if not isinstance(scene, OrderedScene) or orbit.case.cycles % 2 == 0:
+        return orbit
+    order = half_if_mirrored(scene.base.cell(orbit.case.numbers), scene.order)
+    first, other = durations[: len(order.steps)], durations[len(order.steps) :]
+    if order == scene.order or np.abs(first - other).max() > SAME * durations.sum():
+        return orbit
+    half = declared_as(scene.base, order) or in_order(scene.base, order)
+    case = Case(half, orbit.case.values, orbit.case.cycles)
+    found = from_times(
+        case, RoughTimes(tuple(map(float, first)), orbit.angle, "half of its times")
+    )
+    return found if found.outcome.converged and found.admissible else orbit
 
 
 def _declared(case: Case) -> Iterator[tuple[Case, RoughTimes]]:

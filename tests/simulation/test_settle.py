@@ -12,11 +12,13 @@ from made_scenes import dry, made
 from reached import EVERY_RUN, IMPACT, REACHED
 
 import nonsmooth as ns
-from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.exact import _by_half, exact_orbit
 from nonsmooth.solver.flow import flow
+from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.scenes.orders import Order, Step
 from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.lasting import lasts
@@ -247,6 +249,21 @@ def test_of_phases_with_one_equation_it_does_not_matter_which_is_followed() -> N
     orbit = ns.exact(case)
     assert [phase.name for phase in orbit.phases] == ["phase 0"]
     assert orbit.stable
+
+
+@pytest.mark.parametrize(
+    ("name", "phases"),
+    [("backlash", "engaged,loose,-engaged,-loose"), ("dry-friction", "slide,-slide")],
+)
+def test_what_settles_slowly_on_a_symmetric_orbit_is_symmetric(name, phases) -> None:
+    """By the times of a simulation, whose halves still differ, it is one of a whole period."""
+    case = ns.scene(name)()
+    orbit = ns.exact(case)
+    *_, whole = cases_in_order(case, phases)
+    times = RoughTimes(tuple(2 * orbit.cell_durations.tolist()), orbit.angle, "")
+    found = _by_half(from_times(whole, times))
+    assert found.case.scene.motion == orbit.case.scene.motion != whole.scene.motion
+    assert found.durations == pytest.approx(orbit.durations, rel=1e-12)
 
 
 def test_what_repeats_itself_after_two_periods_may_be_of_one() -> None:
