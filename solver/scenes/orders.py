@@ -211,16 +211,20 @@ def declared_order(cell: Cell) -> Order:
 
 def in_cell(cell: Cell, order: Order) -> Cell:
     """Return a cell with its phases in another order; its classes are not known."""
-    steps = [(cell.carrying(p), mirrored) for p, mirrored in order.steps]
-    phases = [mirror(phase) if mirrored else phase for phase, mirrored in steps]
     at = [each.phase for each in cell.memory]
-    columns = [_columns(at, order, p) for p in range(len(phases))]
-    begun = [_begun_mirrored(cell, order, p) for p in range(len(phases))]
-    memory = [_set_by(cell.memory[i], begun[p], p) for i, p in _settings(at, order)]
+    places = [(step, tuple(_columns(at, order, p))) for p, step in enumerate(order.steps)]
+    memory = [
+        _set_by(cell.memory[i], _begun_mirrored(cell, order, p), p)
+        for i, p in _settings(at, order)
+    ]
+    made = {
+        (step, columns): _with_columns(_taken(cell, step), columns, len(memory))
+        for step, columns in set(places)
+    }
     named = numbered([q.name for q in memory])
     return replace(
         cell,
-        phases=tuple(map(_with_columns, phases, columns, [len(memory)] * len(phases))),
+        phases=tuple(made[place] for place in places),
         sign=-1 if order.half_period else 1,
         guess=cell.guess if order == declared_order(cell) else (),
         cycles=1,
@@ -228,6 +232,12 @@ def in_cell(cell: Cell, order: Order) -> Cell:
         classes=(),
         start=(),
     )
+
+
+def _taken(cell: Cell, step: Step) -> Phase:
+    """Return the phase of a cell that a step of an order is."""
+    phase = cell.carrying(step.phase)
+    return mirror(phase) if step.mirrored else phase
 
 
 def _begun_mirrored(cell: Cell, order: Order, p: int) -> bool:

@@ -16,7 +16,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import UnknownScene
-from nonsmooth.solver.scenes.orders import Order, Step, in_order
+from nonsmooth.solver.scenes.orders import Order, Step, in_cell, in_order
 from nonsmooth.solver.solve import solve_case, with_order
 
 MOTIONS = [motion for name in NAMES for motion in registry.load(name).each_motion]
@@ -233,3 +233,9 @@ def test_a_declared_order_that_is_asked_for_has_no_other_orbit_beside_it() -> No
     assert solving.solve_case(case, method="ck-tau", order=8).others == []
     asked = with_order(case, "-slide,slide")
     assert solving.solve_case(asked, method="ck-tau", order=8).others == []
+
+
+def test_a_phase_that_comes_again_is_made_once() -> None:
+    """Along a branch near chatter a cell of 40 flights is made thousands of times."""
+    phases = in_cell(registry.load("impact")().cell, Order((Step(0),) * 40)).phases
+    assert (len(phases), len({*map(id, phases)})) == (40, 1)
