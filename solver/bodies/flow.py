@@ -10,7 +10,13 @@ from .laws import Lawful
 from .systems import BodyError
 
 #: Condition of an eigenbasis beyond which it keeps too few digits.
-WORST = 1e9
+WORST = 1e7
+
+#: What is wrong then.
+ONE = (
+    "two of its poles are one, as those of a mode that is damped critically: change a damping "
+    "by a millionth of it"
+)
 
 #: Most that a vector is turned by what rounding left of it: where it is more, poles are one.
 TURN = 1e-6
@@ -176,17 +182,25 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
         poles = np.concatenate([np.zeros(2 * count), poles])
     basis = np.hstack([free, vectors]).astype(complex)
     try:
-        inverse = np.linalg.inv(basis)
+        inverse = _inverse(poles, basis)
         condition = float(np.linalg.norm(basis) * np.linalg.norm(inverse))
     except np.linalg.LinAlgError:
         condition = np.inf
     if not condition <= WORST:
-        raise BodyError(
-            "two poles of the body are one (a mode with exactly critical damping): change its "
-            "damping a little"
-        )
+        raise BodyError(ONE)
     inputs = inverse @ lawful.inputs.astype(complex)
     return Flow(poles.astype(complex), basis, inverse, inputs, omega, free.shape[1] // 2)
+
+
+def _inverse(poles: Complex, basis: Complex) -> Complex:
+    """Return the inverse of an eigenbasis: its pairs stay pairs, with the digits of both."""
+    above, below = np.flatnonzero(poles.imag > 0), np.flatnonzero(poles.imag < 0)
+    real = basis.real.copy()
+    real[:, below] = basis[:, above].imag
+    found = np.linalg.inv(real).astype(complex)
+    found[above] = (found[above] - 1j * found[below]) / 2
+    found[below] = found[above].conj()
+    return found
 
 
 def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Complex]:
@@ -194,12 +208,15 @@ def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Comple
 
     Those of a matrix of many sizes come with the rounding of the largest, or where parts are
     coupled by rounding alone, with its square root.  What is left of ``A v - s v``, where the
-    slow ones have hardly a part in the quick rows, corrects them.
+    slow ones have hardly a part in the quick rows, corrects them as far as it is no rounding.
     """
     try:
-        left = np.linalg.solve(vectors, A @ vectors - vectors * poles)
+        inverse = np.linalg.inv(vectors)
     except np.linalg.LinAlgError:
         return poles, vectors
+    left, sizes = inverse @ (A @ vectors - vectors * poles), np.abs(vectors)
+    rounding = np.abs(inverse) @ (np.abs(A) @ sizes + sizes * np.abs(poles))
+    left[np.abs(left) <= np.finfo(float).eps * rounding] = 0.0
     apart = poles - poles[:, None] + np.eye(len(poles))
     turns = left / np.where(apart == 0, 1.0, apart) - np.diag(np.diag(left))
     turned = np.abs(turns).max(axis=0, initial=0.0)

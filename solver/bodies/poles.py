@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from ..arrays import Complex, Matrix, Vector
-from .flow import WORST
+from .flow import ONE, WORST
 from .laws import free, places
 from .modal import Modal
 from .systems import BodyError
@@ -190,7 +190,7 @@ def _of_modes(body: Modal) -> tuple[Complex, Complex, Complex]:
     half = np.diag(body.damping) / 2
     root = np.sqrt((half**2 - body.squares).astype(complex))
     if (np.abs(root) <= APART * np.maximum(np.sqrt(np.abs(body.squares)), half)).any():
-        _too_near()
+        raise BodyError(ONE)
     pair = root.imag != 0
     s = np.concatenate([-half + root, (-half - root)[~pair]])
     b = np.concatenate([body.at, body.at[~pair]]).astype(complex)
@@ -212,7 +212,7 @@ def _of_states(
     )
     s, basis = np.linalg.eig(A)
     if np.linalg.cond(basis) > WORST:
-        _too_near()
+        raise BodyError(ONE)
     b = np.linalg.solve(basis, own.B.astype(complex))
     c = (x @ basis).T
     sizes = np.abs(c).max(axis=1)  # a place that nothing holds or sees has a pole at 0
@@ -224,11 +224,4 @@ def _of_states(
         s[kept].astype(complex),
         b[kept],
         np.asarray(c[kept] * double[:, None], dtype=complex),
-    )
-
-
-def _too_near() -> None:
-    raise BodyError(
-        "two of its poles are one (a mode with exactly critical damping): change its damping "
-        "a little"
     )

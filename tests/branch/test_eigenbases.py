@@ -172,6 +172,17 @@ def test_poles_that_are_one_are_left_as_they_are() -> None:
     assert (turned == vectors).all()
 
 
+@pytest.mark.parametrize("off", [1e-11, 1e-9, 1e-7, 1e-4, -1e-11, -1e-9, -1e-7, -1e-4])
+def test_damping_that_is_almost_critical_loses_the_digits_of_its_poles(off: float) -> None:
+    """That is as many as these are nearer to each other than to zero, and a few more."""
+    cell = ns.scene("beam-clearance")(modes=3, ratio=1 + off).cell
+    for part in parts_of(cell):
+        flow, A, t = part.flow, part.lawful.A, cell.duration / 50
+        exact = np.array(mp.expm(mp.matrix(A) * t).tolist(), dtype=float)
+        lost = 1e-14 / abs(off) ** 0.5 if off > 0 else 1e-14
+        assert np.abs(flow.matrix(t) - exact).max() <= lost * np.abs(exact).max()
+
+
 def test_parts_that_rounding_alone_couples_stay_apart() -> None:
     """LAPACK balances 1e-16 against 1: a mode that no contact sees then has 1e-9 of it."""
     A = np.zeros((4, 4))
