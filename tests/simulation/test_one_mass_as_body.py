@@ -102,15 +102,21 @@ def test_what_was_held_leaves_once_and_stops_at_the_last_digit(mu, angle) -> Non
     check(own, found, 1e-14)
 
 
-@pytest.mark.parametrize("restitution", [1e-9, 1e-6, 1e-3, 0.3])
-def test_impacts_that_are_too_low_to_be_located_accumulate(restitution) -> None:
-    """Of a body a flight that is lower than rounding takes far longer than it should."""
-    case = registry.load("impact")(restitution=restitution, frequency=0.3, damping=0.3)
+@pytest.mark.parametrize(
+    ("restitution", "damping"),
+    [(1e-9, 0.3), (1e-6, 0.3), (1e-3, 0.3), (0.3, 0.3), (0.5, 1.98), (0.5, 2 + 1e-4)],
+)
+def test_impacts_that_are_too_low_to_be_located_accumulate(restitution, damping) -> None:
+    """Of a body a flight that is lower than rounding takes far longer than it should.
+
+    Where its damping is almost critical, rounding is that of poles that are nearly one.
+    """
+    case = registry.load("impact")(restitution=restitution, frequency=0.3, damping=damping)
     own, ended, found, other_ended = followed(case, None, 6)
     assert ended.startswith("chatter: flight ends ever sooner")
     assert other_ended[:50] == ended[:50]
     one, other = (
         float(words.split("t = ")[1].split(" s")[0]) for words in (ended, other_ended)
     )
-    assert other == pytest.approx(one, rel=1e-8)
+    assert other == pytest.approx(one, rel=3e-8)
     assert len(found) <= len(own)

@@ -133,6 +133,21 @@ def state_at(poles: Poles, omega: float, p: int, Y: Vector, t: float) -> Vector:
     return found
 
 
+def size_by_poles(poles: Poles, omega: float, p: int, row: Vector, Y: Vector) -> float:
+    """Return what a form is the sum of by the poles of a phase, where that begins.
+
+    More than by y where vectors are nearly one: it is located to the rounding of that.
+    """
+    start, n = modes_of(poles, omega, p, Y).start, poles.bases.shape[1]
+    total = size_of(row[n:], Y[n:])
+    for i in range(len(start)):
+        factor = 0j
+        for j in range(n):
+            factor += float(row[j]) * complex(poles.bases[p, j, i])
+        total += abs(factor) * abs(start[i])
+    return total
+
+
 def real_of(factors: Complex, z: Complex) -> float:
     """Return the real part of a sum by poles."""
     total = 0.0

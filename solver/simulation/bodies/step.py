@@ -15,7 +15,7 @@ from ..steps.rules import Rules
 from ..steps.switches import next_phase, rest_behind
 from .along import along_of, sign_after
 from .locate import first_event
-from .modes import size_of, state_at, value_of
+from .modes import size_by_poles, size_of, state_at, value_of
 from .phases import NO_CONTACT
 from .state import BodyState, begun, crossed, entered, full_of, jumps_at, on
 
@@ -116,7 +116,11 @@ def jumping(rules: Rules, p: int, surface: int, after: int, state: BodyState) ->
     if not abs(v) > NOISE * size_of(laws.rounding[after, i], Y):  # nor whether it moves away
         return 0.0
     a, jerk = value_of(laws.velocity[after, i, 1], Y), value_of(laws.velocity[after, i, 2], Y)
-    resolved = RESOLVED * NOISE * size_of(laws.place[after, i], Y)
+    if not v * a < 0:
+        return 0.0
+    place = laws.place[after, i]
+    size = size_by_poles(rules.phases.poles, rules.omega, after, place, Y)
+    resolved = NOISE * max(RESOLVED * size_of(place, Y), 2 * size)
     return time_left(v, a, jerk, rho, resolved)
 
 
