@@ -213,6 +213,8 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
         (a, b, c), (d, e, f) = (found[:, p].T for p in (0, 1))
         determinant = a * e - b * d
         cos, sin = b * f - c * e, c * d - a * f  # times the determinant
+        if not (c.any() or f.any()):  # no gap, no load at rest: the angle is that of both
+            return np.asarray(np.sign(determinant))
         size = np.abs(a * e) + np.abs(b * d) + np.abs(cos) + np.abs(sin)
         size[size == 0] = 1.0
         return np.asarray(np.sign((cos**2 + sin**2 - determinant**2) / size**2))
@@ -222,12 +224,17 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
     roots = halved(side, parts[i], parts[i + 1], HALVINGS) if len(i) else i
     for root in map(float, roots):
         (a, b, c), (d, e, f) = _both(quick, np.array([root]))[0]
-        determinant = a * e - b * d
-        if determinant == 0:  # any angle would do, or what grows is beyond float64
-            continue
-        angle = np.arctan2((c * d - a * f) / determinant, (b * f - c * e) / determinant)
         durations = (root * cell.duration, (1 - root) * cell.duration)
-        yield RoughTimes(durations, float(angle) % (2 * np.pi), "a scan of the exact equations")
+        determinant = a * e - b * d
+        if c == f == 0:
+            angles = _angles(a, b, 0.0)
+        elif determinant == 0:  # any angle would do, or what grows is beyond float64
+            continue
+        else:
+            sin, cos = (c * d - a * f) / determinant, (b * f - c * e) / determinant
+            angles = [float(np.arctan2(sin, cos)) % (2 * np.pi)]
+        for angle in angles:
+            yield RoughTimes(durations, angle, "a scan of the exact equations")
 
 
 def _symmetric(cell: BodyCell) -> Iterator[RoughTimes]:

@@ -16,6 +16,7 @@ from scipy.linalg import expm
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence.bodies import solutions
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.scenes.case import Case
@@ -276,3 +277,38 @@ def test_without_rebound_rounding_is_no_velocity(monkeypatch, tmp_path) -> None:
         assert [q.name for q in motion.phases] == [q.name for q in expected.phases]
         starts = [[q.start for q in each.phases] for each in (motion, expected)]
         assert starts[0] == pytest.approx(starts[1], abs=1e-12)
+
+
+def no_gap(stiffer: float = 4.0) -> Scene:
+    """Return the scene of two masses of which the second has no gap to what is stiffer."""
+    k, F, Omega = sp.symbols("k F Omega", positive=True)
+    pair = Body(
+        M=np.eye(2), K=k * sp.Matrix([[1, -1], [-1, 1]]), ratio=0.1, forcing=sp.Matrix([F, 0]),
+        at={"end": [0, 1]},
+    )  # fmt: skip
+    end = pair.at["end"]
+    on = Phase("on", end.force + stiffer * k * end.x, Event(end.x), {"pressed": end.x})
+    off = Phase("off", end.force + k * end.x / 4, Event(end.x), {"off": -end.x})
+    values = (("stiffness", k, "N/m", 1.0), ("force", F, "N", 1.0))
+    parameters = [Parameter(*q, "its value") for q in values]
+    parameters.append(Parameter("frequency", Omega, "rad/s", 0.6, "of the forcing"))
+    return Scene("no-gap", "two", tuple(parameters), (on, off), frequency=Omega, body=pair)
+
+
+@pytest.mark.parametrize("frequency", [0.5, 0.6, 0.65])
+def test_from_rest_where_phases_meet_a_body_moves(monkeypatch, tmp_path, frequency) -> None:
+    """What pulls elsewhere comes later: until then all is rounding.  A scan finds the orbit."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    own = ns.scene(no_gap())(frequency=frequency)
+    motion = ns.simulate(own, cycles=60)
+    (orbit,) = (q for q in solutions(own) if q.admissible)
+    assert (motion.phases[0].name, motion.ended) == ("on", "")
+    last = sorted(q.duration for q in motion.phases[-3:-1])
+    assert last == pytest.approx(sorted(orbit.cell_durations * own.units.time), rel=1e-6)
+
+
+def test_what_pulls_at_the_other_end_of_a_row_is_felt_late() -> None:
+    """The fifth mass is pressed from the beginning on: by less than rounding for a while."""
+    motion = ns.simulate(ns.scene("chain-impact")(gap=0.0), cycles=2)
+    assert motion.ended.startswith("chatter")
+    assert sum(q.duration for q in motion.phases) < 0.2

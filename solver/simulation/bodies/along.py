@@ -22,6 +22,12 @@ from .phases import TERMS, Phases
 #: the state.
 ON_IT = 1e-6
 
+#: Of `Along.leading`: zero all along.
+NEVER = TERMS + 1
+
+#: What counts of what drives a pole, beside what there is of it at first.
+DRIVEN = 1 / 16
+
 #: An exponent of which the exponential is finite.
 LARGE = 700.0
 
@@ -40,11 +46,13 @@ class Along(NamedTuple):
     fixed : ndarray, shape (F, 2)
         What they have besides.
     leading : ndarray of int, shape (F,)
-        Which derivative is the first that is not zero at first; `TERMS` where none is.
+        Which derivative is the first that is not zero at first; `TERMS` where none is yet, and
+        `NEVER` where no pole is seen.
     rate : ndarray, shape (F,)
         The size of that.
     sizes : ndarray, shape (F,)
-        What each form is the sum of, added without sign, where the phase begins.
+        What each form is the sum of, added without sign, where the phase begins and by what
+        drives it: at rest that is all.
     near : ndarray of bool, shape (m,)
         Which poles have no parts of their own.
     own, drive : ndarray, shape (m,)
@@ -83,7 +91,7 @@ def leading(phases: Phases, row: int, Y: Vector, zero: bool) -> int:
     known_to = rounded(Y, phases.poles.bases.shape[1])
     for order in range(TERMS):
         value = abs(value_of(rates[order], Y))
-        size = size_of(rounding[order] if order < 2 else rates[order], known_to)
+        size = size_of(rounding[order], known_to)
         known = zero and order == 0 and value <= ON_IT * _largest(rates[0], Y)
         if value > NOISE * size and not known:
             return order
@@ -142,7 +150,10 @@ def along_of(
             fixed[f, k] = sign * value_of(rates[k, n + 2 :], Y[n + 2 :])
             for i in range(m):
                 by_poles[f, k, i] = sign * complex(phases.forms.by_poles[row, k, i])
+        if orders[f] == TERMS and _sees_none(by_poles[f, 0], rates[0, :n]):
+            orders[f] = NEVER
     waves, constant, sizes = np.zeros(count), np.zeros(count), np.zeros(count)
+    amounts = _amounts(modes, float(poles.window[p]))
     for f in range(count):
         wave, steady = _answer(modes, poles.near[p], by_poles[f, 0])
         waves[f] = abs(complex(direct[f, 0]) + wave)
@@ -150,11 +161,20 @@ def along_of(
         sizes[f] = abs(complex(direct[f, 0]))
         sizes[f] += size_of(phases.forms.rates[rows[f], 0, n + 2 :], Y[n + 2 :])
         for i in range(m):
-            sizes[f] += abs(complex(by_poles[f, 0, i])) * abs(complex(modes.start[i]))
+            sizes[f] += abs(complex(by_poles[f, 0, i])) * float(amounts[i])
     return Along(
         modes, by_poles, direct, fixed, orders, rate, sizes, poles.near[p, :m], own, drive,
         waves, constant, float(poles.window[p]), float(poles.growth[p]),
     )  # fmt: skip
+
+
+def _sees_none(factors: Complex, row: Vector) -> bool:
+    """Whether what a form has of each pole is rounding, as that of what is held."""
+    size = float(np.abs(row).sum())
+    for factor in factors:  # noqa: SIM110  (numba has no `any`)
+        if abs(factor) > STILL * size:
+            return False
+    return True
 
 
 def _answer(modes: Modes, near: Indices, factors: Complex) -> tuple[complex, float]:
@@ -185,6 +205,18 @@ def _parts(modes: Modes, near: Indices) -> tuple[Vector, Vector]:
                 left -= complex(modes.answers[k, i])
             own[i] = abs(left)
     return own, drive
+
+
+def _amounts(modes: Modes, window: float) -> Vector:
+    """Return what each pole is the sum of, added without sign: at first, and in a time."""
+    found = np.zeros(len(modes.start))
+    for i in range(len(found)):
+        driven = 0.0
+        for k in range(3):
+            in_time = abs(complex(modes.drives[k, i])) * window
+            driven += min(abs(complex(modes.answers[k, i])), in_time)
+        found[i] = max(abs(complex(modes.start[i])), DRIVEN * driven)
+    return found
 
 
 def value_at(along: Along, f: int, z: Complex, t: float) -> tuple[float, float]:

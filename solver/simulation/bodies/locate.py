@@ -16,7 +16,7 @@ import numpy as np
 from ...arrays import Integers, Matrix, Vector
 from ..steps.column import NONE
 from ..steps.locate import BEYOND, CUT, EPS, EVENT, LOST, NOISE
-from .along import Along, bounds, value_at
+from .along import NEVER, Along, bounds, value_at
 from .modes import poles_at, power_of
 from .phases import TERMS
 
@@ -48,15 +48,15 @@ def first_event(along: Along, most: float) -> tuple[float, int, int]:
     """
     tolerance, first, watched = np.zeros(len(along.sizes)), min(most, along.window), False
     for f in range(len(tolerance)):
-        if along.leading[f] == TERMS:  # zero all along
+        if along.leading[f] == NEVER:
             tolerance[f] = inf
             continue
         tolerance[f], watched = NOISE * float(along.sizes[f]), True
-        if along.leading[f] > 0:
+        if 0 < along.leading[f] < TERMS:
             first = min(first, departs(along, f, most))
     t, h = 0.0, first / POINTS
     if not (watched and isfinite(h)):
-        return 0.0, BEYOND, 0
+        return (0.0, BEYOND, 0) if watched or not isfinite(most) else (most, CUT, 0)
     kinds = np.zeros(len(tolerance), np.int64)
     for _ in range(MOST_ROUNDS):
         if t >= most:
@@ -108,8 +108,10 @@ def first_doubt(
         a, b = min(t + h * k, most), min(t + h * (k + 1), most)
         bound, doubts, certain = bounds(along, 4, a, b - a), 0, 0
         for f in range(len(kinds)):
-            kinds[f] = NO_ZERO
-            if along.leading[f] == 0 or b > first:
+            kinds[f], counts = NO_ZERO, along.leading[f] == 0 or b > first
+            if along.leading[f] == TERMS:
+                counts = not waits(along, states[k : k + 2, f, 0], b - a, float(tolerance[f]))
+            if counts:
                 cubic = cubic_of(states[k, f], states[k + 1, f])
                 kinds[f] = kind_of(cubic, b - a, float(bound[f]), float(tolerance[f]))
             doubts += kinds[f] != NO_ZERO
@@ -117,6 +119,12 @@ def first_doubt(
         if doubts > 0:
             return k, certain == doubts
     return POINTS, False
+
+
+def waits(along: Along, values: Vector, h: float, tolerance: float) -> bool:
+    """Whether a form that is zero at first is so in an interval: what moves it comes later."""
+    most = max(abs(float(values[0])), abs(float(values[1])))
+    return bool(h <= along.window / POINTS and most <= tolerance)
 
 
 def first_below(kinds: Integers) -> int:

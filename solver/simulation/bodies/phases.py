@@ -109,8 +109,8 @@ class Forms(NamedTuple):
     ----------
     rates : ndarray, shape (F, TERMS, W)
         The form and its derivatives by time.
-    rounding : ndarray, shape (F, 2, W)
-        What the form and its slope are sums of, by the size of Y.
+    rounding : ndarray, shape (F, TERMS, W)
+        What they are sums of, by the size of Y.
     by_poles : ndarray of complex, shape (F, 2, m)
         The same two by the poles.
     """
@@ -205,7 +205,9 @@ def forms_of(regimes: Sequence[Regime], forms: Sequence[Matrix]) -> Forms:
         seen = np.zeros((len(rows), 2, count), complex)
         seen[..., : basis.shape[1]] = own[:, :2, : each.states] @ basis
         rates.append(own)
-        rounding.append(np.stack([_rounding(each, own[:, k]) for k in (0, 1)], axis=1))
+        known = [_rounding(each, own[:, k]) for k in (0, 1)]
+        sums = np.abs(own[:, 1:-1]) @ np.abs(each.generator)
+        rounding.append(np.concatenate([np.stack(known, axis=1), sums], axis=1))
         by_poles.append(seen)
     return Forms(np.concatenate(rates), np.concatenate(rounding), np.concatenate(by_poles))
 
