@@ -256,6 +256,31 @@ def _both(cell: BodyCell, parts: Vector) -> Matrix:
     return np.asarray(found / np.maximum(np.abs(found).max(axis=2, keepdims=True), TINY))
 
 
+def in_one_phase(cell: BodyCell, p: int) -> tuple[float, float, bool] | None:
+    """Return between which places the first contact moves in a phase for ever, if it does.
+
+    And whether it comes back to that.  None if a demand of the phase is not kept, or nothing
+    holds the body.
+    """
+    part, phase = parts_of(cell)[p], cell.phases[p]
+    A, inputs, rows = part.lawful.A, part.lawful.inputs, part.lawful.rows
+    n, turn = len(A), 1j * cell.omega * np.eye(len(A))
+    if part.lawful.still.shape[1] or not phase.demands:
+        return None
+    try:
+        wave = np.linalg.solve(turn - A, inputs[:, 0] - 1j * inputs[:, 1])
+        still = np.linalg.solve(A, -inputs[:, 2])
+    except np.linalg.LinAlgError:
+        return None
+    mean = rows[:, :n] @ still + rows[:, n + 2]
+    swing = rows[:, :n] @ wave + rows[:, n] - 1j * rows[:, n + 1]
+    for _, form in phase.demands:
+        if not np.abs(form @ swing) <= form @ mean:
+            return None
+    size = float(np.abs(swing[0]))
+    return float(mean[0]) - size, float(mean[0]) + size, bool(part.flow.poles.real.max() < 0)
+
+
 def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
     """Whether two solutions have the same times."""
     return times_apart(one, other.cell_durations, other.angle) <= SAME

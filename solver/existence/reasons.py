@@ -7,10 +7,12 @@ from typing import Any
 
 from ..flow import flow
 from ..no_orbit import NoOrbit
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Phase
 from ..simulation.lasting import response, swing
 from . import two_phases
+from .bodies import in_one_phase
 from .known import Known, known
 
 #: Solutions that are told of.
@@ -100,8 +102,9 @@ class WithoutSwitches:
 
     def __str__(self) -> str:
         size = max(-self.least, self.largest)
+        what = "contact" if self.case.scene.has_body else "mass"
         return (
-            f"the mass can move in {self.phase} for ever, without switches, "
+            f"the {what} can move in {self.phase} for ever, without switches, "
             f"|x| up to {size:.6g} m"
         )
 
@@ -121,13 +124,12 @@ def motions_without_switches(case: Case) -> list[WithoutSwitches]:
     for each in case.each_motion:
         cell = each.cell
         for phase in cell.phases if cell.forced and not cell.memory else ():
-            if phase.held or not phase.g or phase.name in found:
+            if phase.held or phase.name in found:
                 continue
-            ends = _within(each, phase)
-            if ends is not None:
+            within = _within(each, phase)
+            if within is not None:
+                *ends, stable = within
                 least, largest = (end * each.units.length for end in ends)
-                decay = flow.roots(phase)[0].real
-                stable = decay < 0 if decay else None
                 found[phase.name] = WithoutSwitches(each, phase.name, least, largest, stable)
     return list(found.values())
 
@@ -166,13 +168,19 @@ def _resonance(case: Case, phase: Phase) -> str:
     )
 
 
-def _within(case: Case, phase: Phase) -> tuple[float, float] | None:
-    """Return between which places the mass moves in a phase for ever, if its demands allow."""
-    found = response(phase, case.cell.omega)
+def _within(case: Case, phase: Phase) -> tuple[float, float, bool | None] | None:
+    """Return between which places the mass moves in a phase for ever, if its demands allow.
+
+    And whether that is stable; None where perturbations last.
+    """
+    if isinstance(case.cell, BodyCell):
+        return in_one_phase(case.cell, case.cell.phases.index(phase))
+    found = response(phase, case.cell.omega) if phase.g else None
     if found is None or not phase.demands:
         return None
     mean, wave = found
     for _, form in phase.demands:
         if form[0] * mean + form[3] < swing(form, wave, case.cell.omega):
             return None
-    return mean - abs(wave), mean + abs(wave)
+    decay = flow.roots(phase)[0].real
+    return mean - abs(wave), mean + abs(wave), decay < 0 if decay else None

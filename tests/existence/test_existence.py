@@ -148,6 +148,20 @@ def test_a_constant_on_the_circle_alone_decides():
     assert (free.none, free.found) == (False, ())
 
 
+@pytest.mark.parametrize(("gap", "reaches"), [(1.04, False), (1.03, True)])
+def test_a_body_that_does_not_reach_its_stop_says_how_far_it_comes(gap, reaches):
+    """By the response of its matrices."""
+    case = registry.load("chain-impact")(gap=gap)
+    links = 2 * np.eye(5) - np.eye(5, k=1) - np.eye(5, k=-1)
+    links[4, 4] = 1
+    rows = links * (1 + 0.05j * 0.5) - 0.25 * np.eye(5)
+    size = abs(np.linalg.solve(rows, np.eye(5)[0])[4])
+    words = [
+        f"the contact can move in flight for ever, without switches, |x| up to {size:.6g} m"
+    ]
+    assert list(without_switches(case)) == ([] if reaches else words)
+
+
 def test_a_motion_without_switches_is_named_where_it_is_why():
     (words,) = without_switches(BACKLASH(force=0.2))
     size = 0.2 / math.hypot(0.7**2, 0.1 * 0.7)
