@@ -107,6 +107,23 @@ def test_modes_are_checked_with_the_parameters() -> None:
         ns.solve(beam(modes=2.5))
 
 
+def test_impacts_that_the_modes_kept_cannot_turn_are_refused() -> None:
+    """Of all modes any restitution is; of few an impulse of the whole body turns a part."""
+    beam = ns.scene("beam-impact")
+    words = r"go on as before, at 0\.073 of .*: keep more, or .* with more than 0\.079"
+    with pytest.raises(ParameterError, match=words):
+        ns.simulate(beam(modes=3, restitution=1e-3))
+    assert beam(modes=3, restitution=0.08).cell.body.squares.size == 4
+    assert beam(modes=60, restitution=1e-3).cell.body.squares.size == 60
+
+
+@pytest.mark.parametrize("given", [("--ratio", 1), ("--modes", 2.5)])
+def test_what_is_wrong_with_a_body_is_no_option(run, given) -> None:
+    status, _, said = run("solve", "beam-impact", *given)
+    assert status == 2
+    assert said.startswith("nonsmooth: body: ")
+
+
 def test_a_forcing_beyond_the_modes_that_are_kept_is_refused() -> None:
     """Those that are left out may resonate; of all there are none."""
     beam = ns.scene("beam-clearance")
@@ -134,7 +151,7 @@ def test_a_phase_without_an_eigenbasis_is_a_problem_of_the_body() -> None:
     """Its spring makes the damping critical: no option is wrong."""
     own = scene(M=np.eye(1), K=np.eye(1), ratio=2.0, forcing=[1], at={"tip": [1]})
     case = ns.scene(own)(spring=3.0, gap=0.05)
-    with pytest.raises(Problem, match=r"^body: two poles"), as_problems():
+    with pytest.raises(Problem, match=r"^body: two of its poles"), as_problems():
         ns.exact(case)
 
 

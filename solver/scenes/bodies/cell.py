@@ -12,6 +12,7 @@ import numpy as np
 from ...bodies.laws import places
 from ...bodies.modal import Modal, at_frequency, damped, modal
 from ...bodies.poles import poles_of
+from ...bodies.switch import impulses
 from ...bodies.systems import BodyError
 from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units
@@ -25,6 +26,9 @@ MATRICES = "body.npz"
 
 #: Entries of a form for the first contact, the forcing and 1; and for each other contact.
 FIRST, OTHER = 6, 4
+
+#: What is left of a velocity behind a jump that turns it, as a part, that is rounding.
+GOES_ON = 1e-9
 
 #: The k of a scene in which contact forces do not jump.
 CONTINUOUS = 2
@@ -120,7 +124,28 @@ def body_cell(
         for number, powers in zip(numbers, scene.powers, strict=True)
     )
     frequency = fields_of_cell(scene, numbers)["frequency"] or 0.0
-    return _under_laws(scene, numbers, _body(scene, values, units, frequency), cycles)
+    found = _under_laws(scene, numbers, _body(scene, values, units, frequency), cycles)
+    _check_jumps(found)
+    return found
+
+
+def _check_jumps(cell: BodyCell) -> None:
+    """Check that a contact turns where its velocity jumps, as the modes that are kept have it.
+
+    The impulse is that of all modes: of the velocity of a few it turns a part.
+    """
+    for p, phase in enumerate(cell.phases):
+        if cell.phases[(p + 1) % len(cell.phases)].held:
+            continue
+        left = 1 + np.diag(cell.body.kept_mobility @ impulses(cell, p)[0])
+        for (rho, _), goes_on in zip(phase.jumps, left, strict=True):
+            if rho <= 0 and goes_on > GOES_ON:
+                least = (1 - rho) / (1 - goes_on) - 1
+                raise ParameterError([
+                    f"body: behind the jump that ends {phase.name} the modes kept go on "
+                    f"as before, at {goes_on:.2g} of their velocity: keep more, or let "
+                    f"the contact come back with more than {least:.2g} of it"
+                ])  # fmt: skip
 
 
 def _stand_in(contacts: int) -> Modal:

@@ -101,6 +101,8 @@ def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[Non
 
         if isinstance(error, BodyError):  # what is wrong shows in its phases, not in an option
             raise Problem(f"body: {error}") from error
+        if str(error).startswith("body: "):
+            raise Problem(str(error)) from error
         name, _, rest = str(error).partition(": ")
         raise Problem(f"--{names.get(name, name).replace('_', '-')}: {rest}") from error
 
