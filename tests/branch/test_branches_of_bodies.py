@@ -5,6 +5,7 @@ from functools import cache, partial
 
 import numpy as np
 import pytest
+from bodies import test_random_chains as chains
 from bodies.reference_bodies import case, chain, of
 from scipy.linalg import expm
 from scipy.optimize import brentq
@@ -349,3 +350,21 @@ def test_a_flip_without_any_loss_is_a_double_one_and_not_missed() -> None:
     first, last = (np.array(branch.rows[i].multipliers) for i in (0, -1))
     assert (first.real < -1.01).any()
     assert np.abs(last) == pytest.approx(1.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("damping", [1e-2, 3e-2])
+def test_between_two_resonances_a_row_leaves_its_stop(monkeypatch, tmp_path, damping) -> None:
+    """From contact through the response without it, whose phase hardly changes, to contact."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+
+    def over(frequency: float) -> float:
+        rows = chains.LINKS * (1 + 1j * frequency * damping) - frequency**2 * np.eye(4)
+        return abs(np.linalg.inv(rows)[3, 0]) - 1.0
+
+    row = ns.scene(chains.chain("elastic"))
+    values = {"mass": 1.0, "stiffness": 1.0, "force": 1.0, "stop": 0.3, "gap": 1.0}
+    found = ns.branch(row(damping=damping, frequency=0.59, **values), "frequency", 0.59, 0.8)
+    touches = [brentq(over, *ends, xtol=1e-15) for ends in ((0.5, 0.68), (0.68, 0.9))]
+    grazing = [event.parameter for event in found.events if event.kind == "grazing"]
+    assert grazing == pytest.approx(touches, rel=1e-12)
+    assert max(row.value for row in found) == pytest.approx(0.8)

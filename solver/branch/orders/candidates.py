@@ -92,8 +92,8 @@ class AtEvent:
             return
         row = self.found.piece.rows[self.found.row]
         within = row.kind == WITHIN
-        if within and column == LEAST:
-            yield from self._touched(p, row.number)
+        if within and (column == LEAST or self.course.endless):
+            yield from self._touched(p, row.number, column)
         elif within and column == START:
             yield from self._between((p - 1) % len(self.slots))
         elif within and column == END:
@@ -193,14 +193,17 @@ class AtEvent:
                 slots = (*self.slots[: p + 1], new, *self.slots[p + 1 :])
                 yield Candidate(slots, self.half, self.angle, p + 1)
 
-    def _touched(self, p: int, demand: int) -> Iterator[Candidate]:
-        """Yield orders in which phase p ends at a demand that vanishes inside it."""
+    def _touched(self, p: int, demand: int, column: int) -> Iterator[Candidate]:
+        """Yield orders in which phase p ends at a demand that vanishes inside it.
+
+        The start of a motion that never ends counts as inside.
+        """
         piece, slot = self.found.piece, self.slots[p]
         ended = self._ended_by(slot.step, demand)
         if ended is None:
             return
         given = self.equations, piece.table, self.z, self.found.row
-        when = float(self.course.by("when_least", *given))
+        when = 0.0 if column != LEAST else float(self.course.by("when_least", *given))
         state = self.course.state(self.equations, self.z, p, when)
         between = [q for q in self.steps if self._may(ended, q) and self._may(q, slot.step)]
         ways = [[Slot(step, state, 0.0)] for step in between]
