@@ -155,7 +155,8 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
     known = laws[:, :size] @ own.rows
     known[:, known.shape[1] - memory :] += laws[:, size:]
     left = laws[:, :size] @ own.by_force
-    if abs(np.linalg.det(left)) <= SINGULAR * np.prod(np.abs(laws).max(axis=1)):
+    sizes = (np.abs(laws[:, :size]) @ np.abs(own.by_force)).max(axis=1)
+    if abs(np.linalg.det(left)) <= SINGULAR * np.prod(sizes):
         raise BodyError(f"{phase.name}: its law does not fix the contact force")
     force = -np.linalg.solve(left, known)
     rows = own.rows + own.by_force @ force

@@ -23,7 +23,7 @@ GOOD = {
 }
 
 
-def scene(**body: object) -> Scene:
+def scene(*more: Parameter, **body: object) -> Scene:
     made = Body(**(GOOD | body))  # type: ignore[arg-type]
     tip = next(iter(made.at.values()))
     law = tip.force + k * (tip.x - g)
@@ -35,6 +35,7 @@ def scene(**body: object) -> Scene:
             Parameter("spring", k, "N/m", 10.0, "spring"),
             Parameter("gap", g, "m", 0.5, "gap"),
             Parameter("frequency", Omega, "rad/s", 0.9, "frequency"),
+            *more,
         ),
     )  # fmt: skip
 
@@ -115,6 +116,29 @@ def test_impacts_that_the_modes_kept_cannot_turn_are_refused() -> None:
         ns.simulate(beam(modes=3, restitution=1e-3))
     assert beam(modes=3, restitution=0.08).cell.body.squares.size == 4
     assert beam(modes=60, restitution=1e-3).cell.body.squares.size == 60
+
+
+h = sp.Symbol("h", real=True)
+EYE = sp.eye(2)
+
+
+@pytest.mark.parametrize(
+    ("matrices", "value", "words"),
+    [
+        ({"K": sp.Matrix([[2, -h], [-1, 1]])}, 2.0, "body: K: it is not symmetric with"),
+        ({"M": sp.diag(h, 1)}, -1.0, "body: M: it is not positive definite with"),
+        ({"M": sp.diag(h, 1)}, 0.0, "body: M: it is not positive definite with"),
+        ({"K": EYE / h}, 0.0, r"body: an entry is no number .* \(float division by zero\)"),
+        ({"K": EYE * sp.log(h)}, -1.0, r"body: an entry is no number .* \(math domain error\)"),
+        ({"K": EYE * sp.sqrt(h)}, -1.0, "body: an entry is no number"),
+    ],
+    ids=str,
+)
+def test_parameters_that_spoil_a_matrix_are_refused(matrices, value: float, words: str) -> None:
+    entry = Parameter("entry", h, "kg" if "M" in matrices else "", 1.0, "of a matrix")
+    own = ns.scene(scene(entry, **matrices))
+    with pytest.raises(ParameterError, match=words):
+        ns.solve(own(entry=value))
 
 
 @pytest.mark.parametrize("given", [("--ratio", 1), ("--modes", 2.5)])

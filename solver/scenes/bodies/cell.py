@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 import numpy as np
 
+from ...arrays import Matrix
 from ...bodies.laws import places
 from ...bodies.modal import Modal, at_frequency, damped, modal
 from ...bodies.poles import poles_of
@@ -29,6 +30,9 @@ FIRST, OTHER = 6, 4
 
 #: What is left of a velocity behind a jump that turns it, as a part, that is rounding.
 GOES_ON = 1e-9
+
+#: What a difference of two entries may be, as a part of the largest.
+ROUNDING = 1e-12
 
 #: The k of a scene in which contact forces do not jump.
 CONTINUOUS = 2
@@ -189,12 +193,9 @@ def _body(
 
     Its modes are found in units that are powers of two: these change no digit of its matrices.
     """
-    ratio, modes = scene.numbers("modal", values)
-    entries = tuple(
-        (*place, float(value)) for *place, value in scene.numbers("entries", values)
-    )
     binary = Units(*(2.0 ** round(math.log2(unit)) for unit in vars(units).values()))
     try:
+        ratio, modes, entries = _in_numbers(scene, values)
         if modes is not None and (modes != int(modes) or modes < 1):
             raise BodyError(f"modes: got {modes!r}, expected a whole number from 1")
         matrices, count = _matrices(scene, entries, binary), None
@@ -214,6 +215,31 @@ def _body(
 
 
 Entries: TypeAlias = tuple[tuple[Any, ...], ...]
+
+
+def _in_numbers(scene: "LoadedScene", values: tuple[float, ...]) -> tuple[Any, Any, Entries]:
+    """Return damping ratio, modes and entries of matrices for parameters in SI units."""
+    try:
+        ratio, modes = scene.numbers("modal", values)
+        entries = tuple((*place, float(q)) for *place, q in scene.numbers("entries", values))
+    except (ArithmeticError, ValueError, TypeError) as error:
+        raise BodyError(f"an entry is no number with these parameters ({error})") from None
+    for name, i, j, value in entries:
+        if not math.isfinite(value):
+            raise BodyError(f"{name}[{i}, {j}]: got {value}, expected a finite number")
+    return ratio, modes, entries
+
+
+def _check_matrix(name: str, matrix: Matrix) -> None:
+    """Check a matrix with parameters in it, of which the scene has checked the defaults."""
+    off = float(np.abs(matrix - matrix.T).max())
+    if off > ROUNDING * np.abs(matrix).max():
+        raise BodyError(f"{name}: it is not symmetric with these parameters")
+    try:
+        if name == "M":
+            np.linalg.cholesky(matrix)
+    except np.linalg.LinAlgError:
+        raise BodyError("M: it is not positive definite with these parameters") from None
 
 
 @lru_cache(maxsize=16)
@@ -265,4 +291,6 @@ def _matrices(scene: "LoadedScene", entries: Entries, units: Units) -> dict[str,
         scaled = np.asarray(numbers, dtype=float) / sizes[name]
         shape = tuple(map(int, file[f"{name}_shape"]))
         found[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
+        if name in given and name in ("M", "K"):
+            _check_matrix(name, found[name].toarray())
     return found
