@@ -14,15 +14,12 @@ WORST = 1e7
 
 #: What is wrong then.
 ONE = (
-    "two of its poles are one, as those of a mode that is damped critically: change a damping "
-    "by a millionth of it"
+    "two of its poles are one, as those of a mode that is damped critically (change a damping "
+    "by a millionth of it), or of one that hardly anything holds"
 )
 
 #: Most that a vector is turned by what rounding left of it: where it is more, poles are one.
 TURN = 1e-6
-
-#: Least that a pole is corrected by, as a part of it, and a vector turned: less is rounding.
-SHIFT, TURNED = 8 * np.finfo(float).eps, 1e-12
 
 #: Least turn or decay, over a phase, of a pole against what drives it.
 CLEAR = 0.1
@@ -219,9 +216,7 @@ def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Comple
     left[np.abs(left) <= np.finfo(float).eps * rounding] = 0.0
     apart = poles - poles[:, None] + np.eye(len(poles))
     turns = left / np.where(apart == 0, 1.0, apart) - np.diag(np.diag(left))
-    turned = np.abs(turns).max(axis=0, initial=0.0)
-    off = (np.abs(np.diag(left)) > SHIFT * np.abs(poles)) | (turned > TURNED)
-    counts = off & (turned < TURN)
+    counts = np.abs(turns).max(axis=0, initial=0.0) < TURN
     more = np.where(counts, np.vstack([np.diag(left), vectors @ turns]), 0.0)
     found = np.vstack([poles, vectors]) + more.astype(complex)
     found.imag[:, poles.imag == 0] = 0.0

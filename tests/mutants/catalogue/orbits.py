@@ -309,8 +309,8 @@ MUTANTS = (
     Mutant(
         "slow poles of a body keep the rounding of the quickest",
         "solver/bodies/flow.py",
-        "counts = off & ",
-        "counts = off & False & ",
+        "initial=0.0) < TURN",
+        "initial=0.0) < 0",
         (
             f"{EIGENBASES}::test_slow_poles_have_their_own_digits",
             f"{EIGENBASES}::test_a_flip_of_a_beam_of_60_modes",
