@@ -19,41 +19,41 @@ from .crossings import met_before
 from .forms import scale_of, value, value_at, vanishes_by_event
 from .motion import LOOK, Motion, OrbitPhase
 
-#: What a demand may be below 0, as a part of its scale, where rounding is all that is off.
+#: How far below 0 rounding may bring a demand, relative to its scale.
 ROUNDING = 1e-9
 
-#: The same, as a part of the terms of which it is the sum, for one mass.
+#: The same for one mass, relative to the sum of the moduli of the demand's terms.
 OF_TERMS = 1e-13
 
-#: Shortest phase, as a part of the cell.  A phase that shrinks to nothing solves the equations
-#: of many scenes, and is found at the size of rounding errors, of either sign.
+#: Shortest phase, relative to the cell.  A phase that shrinks to nothing solves the equations
+#: of many scenes; its computed duration is a rounding error of either sign.
 SHORTEST = 1e-10
 
-#: Duration, as a part of the cell, of a phase of which rounding may be no small part.
+#: Duration, relative to the cell, below which the effect of rounding on it is estimated.
 SHORT = 1e-6
 
-#: Most that a number is off, once rounded, as a part of it.
+#: Unit roundoff of float64.
 ROUNDOFF = float(np.finfo(float).eps) / 2
 
-#: Bound of what rounding makes of a duration, as a part of it, beyond which nothing of it is
-#: known: some of what the bound counts is exact.
+#: Largest bound of the rounding error of a duration, relative to it.  It is above 1: the bound
+#: also counts terms that are exact.
 UNKNOWN = 1.3
 
-#: Mean velocity in a held phase, as a part of that at which it is held.  An expansion of low
-#: order shortens such a phase; nothing but a spurious root makes it much longer.
+#: Range of the mean velocity in a held phase, relative to the prescribed one.  An expansion of
+#: low order shortens such a phase; nothing but a spurious root makes it much longer.
 HELD = (0.5, 3.0)
 
-#: Differences of times and states, as parts of the period and of their extremes, below which
+#: Differences of times and states, relative to the period and to their extremes, below which
 #: parts of an orbit are the same: between distinct orbits they are larger.
 SAME = 1e-6
 
-#: ``allowed(p, form)``: what a demand on phase p may be below 0, as a part of its scale; at
-#: least `ROUNDING`, and asked only of demands that are further below than that.
+#: ``allowed(p, form)``: how far below 0 a demand on phase p may be, relative to its scale.  It
+#: is at least `ROUNDING`, and called only for demands that are further below 0 than that.
 Allowance = Callable[[int, Form], float]
 
 
 class Undecided(str):
-    """Why it cannot be told in float64 whether a solution is an orbit: it is not returned."""
+    """Why float64 cannot decide whether a solution is an orbit; it is then not returned."""
 
     __slots__ = ()
 
@@ -66,15 +66,15 @@ def only_rounding(p: int, form: Form) -> float:
 def violations(
     orbit: Motion, allowed: Allowance = only_rounding, unmet: float = 0.0
 ) -> tuple[str, ...]:
-    """Return what an orbit violates, in words with numbers in SI units; empty if nothing.
+    """Return the demands that an orbit violates, in words with SI units; empty if none.
 
     Parameters
     ----------
     allowed : callable
-        How far below 0 a demand may fall; see `allowance` for those of an expansion.
+        How far below 0 a demand may fall; `allowance` has those for expansions.
     unmet : float
-        How far from its event the first phase may end, as a part of how far it begins from it,
-        where the equations do not say that it is met; else 0.
+        For equations that do not impose the event of the first phase: the value that its event
+        function may have at its end, relative to that at its begin.  Else 0.
     """
     durations = orbit.cell_durations
     total, unit = float(np.sum(durations)), orbit.case.units.time
@@ -103,7 +103,7 @@ def violations(
 
 
 def _undetermined(orbit: Motion) -> tuple[str, ...]:
-    """Return of which phases rounding of the exact equations may be the whole duration."""
+    """Return which phases are so short that their duration may be a rounding error."""
     durations, unit = orbit.cell_durations, orbit.case.units.time
     if durations.min() > SHORT * durations.sum():
         return ()
@@ -117,9 +117,9 @@ def _undetermined(orbit: Motion) -> tuple[str, ...]:
 
 
 def is_seen_violated(orbit: Motion) -> bool:
-    """Return whether a demand is violated at one of a few points, beyond rounding.
+    """Return whether a demand is violated beyond rounding at one of the points of `LOOK`.
 
-    Then there are `violations`, which take far longer to find where a phase has many waves.
+    This is far cheaper than `violations` where a phase has many waves, and implies them.
     """
     durations = orbit.cell_durations
     if not (np.isfinite(durations).all() and (durations > 0).all()):
@@ -132,7 +132,7 @@ def is_seen_violated(orbit: Motion) -> bool:
 
 
 def _unmet(orbit: Motion, unmet: float) -> list[str]:
-    """Return that the first phase ends before its event or beyond it, if it does."""
+    """Return that the first phase ends further than `unmet` from its event, if it does."""
     phase = orbit.cell.phases[0]
     begin, end = value(orbit, 0, phase.event, np.array([0.0, 1.0]))
     off = float(end / begin) if begin else np.inf
@@ -145,19 +145,19 @@ def _unmet(orbit: Motion, unmet: float) -> list[str]:
 
 
 def _with_unmet(orbit: Motion, allowed: Allowance, unmet: float) -> Allowance:
-    """Return what demands are allowed where that of the first event is allowed as much."""
+    """Return an allowance by which the demand that is the first event may be off by `unmet`."""
 
-    def more(p: int, form: Form) -> float:
+    def allowed_with_unmet(p: int, form: Form) -> float:
         if p or not vanishes_by_event(orbit, p, form):
             return allowed(p, form)
         begin = value_at(orbit, p, form, 0.0)
         return max(allowed(p, form), unmet * abs(begin) / scale_of(orbit, p, form))
 
-    return more
+    return allowed_with_unmet
 
 
 def _too_late(orbit: Motion, p: int, allowed: Allowance) -> list[str]:
-    """Return that a phase would have ended before its end, where no demand says so."""
+    """Return that a phase passes its event before its end, if it does."""
     phase = orbit.cell.phases[p]
     u = met_before(orbit, p, ROUNDING)
     u = u if u is None else met_before(orbit, p, allowed(p, phase.event))
@@ -167,7 +167,7 @@ def _too_late(orbit: Motion, p: int, allowed: Allowance) -> list[str]:
 
 
 def _at_switch(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
-    """Return how a demand where a phase ends is violated, if it is."""
+    """Return how a demand at the end of a phase is violated, if it is."""
     scale, below = scale_of(orbit, p, form), -value_at(orbit, p, form, 1.0)
     if below <= ROUNDING * scale or below <= allowed(p, form) * scale:
         return []
@@ -179,7 +179,7 @@ def _at_switch(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance
 
 
 def _repeated(orbit: Motion) -> tuple[str, ...]:
-    """Return that an orbit is a shorter one, again and again, if it is."""
+    """Return that an orbit is several passages of a shorter one, if it is."""
     phases, cell = orbit.phases, orbit.cell
     for times in range(cell.cycles if cell.forced else len(phases), 1, -1):
         if len(phases) % times or (cell.forced and cell.cycles % times):
@@ -196,10 +196,10 @@ def _repeated(orbit: Motion) -> tuple[str, ...]:
 
 
 def are_same(orbit: Motion, others: Sequence[OrbitPhase]) -> bool:
-    """Whether the phases of an orbit are the same as others, but for rounding."""
+    """Return whether the phases of an orbit equal others up to rounding."""
     pairs = list(zip(orbit.phases, others, strict=True))
-    apart = max(abs(one.duration - other.duration) for one, other in pairs)
-    if apart > SAME * orbit.period:
+    largest = max(abs(one.duration - other.duration) for one, other in pairs)
+    if largest > SAME * orbit.period:
         return False
     x, v = (max(map(abs, ends)) for ends in orbit.extremes.values())
     return all(
@@ -210,6 +210,7 @@ def are_same(orbit: Motion, others: Sequence[OrbitPhase]) -> bool:
 
 
 def _held(orbit: Motion, p: int) -> list[str]:
+    """Return that the mean velocity of a held phase is far from the prescribed one, if so."""
     phase, s = orbit.cell.phases[p], float(orbit.cell_durations[p])
     if not (phase.held and phase.speed):
         return []
@@ -224,7 +225,7 @@ def _held(orbit: Motion, p: int) -> list[str]:
 
 
 def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
-    """Return how a demand on a phase is violated, if it is."""
+    """Return how a demand is violated within a phase, if it is."""
     phase, scale = orbit.cell.phases[p], scale_of(orbit, p, form)
     along = partial(value, orbit, p, form)
     if not np.isfinite(scale):
@@ -237,7 +238,7 @@ def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -
     values = along(points)
     worst = int(np.argmin(values))
     below = -float(values[worst])
-    if below > _least(orbit, scale, values) and (
+    if below > _rounding_of(orbit, scale, values) and (
         allowed is only_rounding or below > allowed(p, form) * scale
     ):
         where = _state(orbit, p, float(points[worst]))
@@ -255,10 +256,11 @@ def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -
     return []
 
 
-def _least(orbit: Motion, scale: float, values: Vector) -> float:
-    """Return what a demand may be below 0 at least, by its scale and its values on a phase.
+def _rounding_of(orbit: Motion, scale: float, values: Vector) -> float:
+    """Return how far below 0 rounding may bring a demand with these values on a phase.
 
-    Where it is the small difference of large terms, it is measured by itself.
+    For one mass it is relative to the largest value: a demand may be a small difference of
+    large terms.
     """
     if orbit.case.scene.has_body:
         return ROUNDING * scale
@@ -266,7 +268,7 @@ def _least(orbit: Motion, scale: float, values: Vector) -> float:
 
 
 def _state(orbit: Motion, p: int, u: float) -> str:
-    """Return when something happens, and the state there, in words."""
+    """Return time and state at local time `u` of phase `p`, in words."""
     units, at = orbit.case.units, np.array([u])
     t = (float(np.sum(orbit.cell_durations[:p])) + u * float(orbit.cell_durations[p])) * (
         units.time

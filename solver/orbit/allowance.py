@@ -1,13 +1,13 @@
-"""How far an orbit of an expansion may violate a demand: by what its own residual explains.
+"""How far an orbit of an expansion may violate a demand: as far as its own residual explains.
 
-What an expansion leaves of the equation of motion acts on its motion like a force.  The
-velocity that this force would give, and the displacement, over each phase from the state that
-keeps them smallest, are the size of the error of the motion; a demand that is violated by less
-is not known to be violated.
-The measure needs no exact orbit and knows no expansion: for functions that fit it falls faster
-than any power of the order, for harmonics like their own overshoot, 1/N in the derivative
-before the one that jumps.  It excuses sizes only, never the direction in which an event is
-crossed nor a phase without duration, by which spurious roots are told.
+The residual of the equation of motion acts on an expansion like a force.  Its first and second
+integral over each phase, with the constants that keep them smallest, estimate the errors of
+velocity and displacement; a demand that is violated by less is not known to be violated.
+The estimate needs no exact orbit and knows no expansion.  For functions that fit the motion it
+falls faster than any power of the order N; for harmonics it falls like their overshoot, 1/N in
+the derivative before the one that jumps.  It excuses small violations only, never an event
+crossed in the wrong direction or a phase without duration: these are the marks of spurious
+roots.
 """
 
 from collections.abc import Callable
@@ -22,18 +22,18 @@ from .admissible import ROUNDING, Allowance, only_rounding
 from .forms import scale_of
 from .motion import LOOK, Motion
 
-#: Times the measured error, for the errors of the start of each phase and the growth since.
+#: Safety factor of the estimate, for errors at the start of each phase and their growth.
 FACTOR = 2.0
 
-#: Most that is excused, as a part of the demand's scale.
+#: Largest violation that is excused, relative to the demand's scale.
 MOST = 0.25
 
 
 def defect(orbit: Motion, p: int) -> tuple[float, float]:
-    """Return the sizes of velocity and displacement that the residual on a phase would give.
+    """Return the errors of velocity and displacement that the residual on a phase explains.
 
-    Both without units; on a held phase the residual is the acceleration.  Where a phase is
-    held at one place, the errors of both are what they differ from rest there.
+    Both are without units.  On a held phase the residual is the acceleration.  On a phase that
+    rests at a known place, they are the differences from rest there.
     """
     phase, s = orbit.cell.phases[p], float(orbit.cell_durations[p])
     place = orbit.cell.place(p)
@@ -57,15 +57,12 @@ def defect(orbit: Motion, p: int) -> tuple[float, float]:
 
 
 def by_residual(orbit: Motion) -> Allowance:
-    """Return what each demand of an orbit may fall below 0, as a part of its scale.
-
-    The residual is looked at when the first demand asks.
-    """
+    """Return the allowance of an orbit by its residual, which the first call computes."""
 
     @cache
     def errors() -> tuple[float, float]:
-        found = [defect(orbit, p) for p in range(len(orbit.cell.phases))]
-        velocity, displacement = map(max, zip(*found, strict=True))
+        defects = [defect(orbit, p) for p in range(len(orbit.cell.phases))]
+        velocity, displacement = map(max, zip(*defects, strict=True))
         return velocity, displacement
 
     def error(p: int, form: Form) -> float:
@@ -76,23 +73,23 @@ def by_residual(orbit: Motion) -> Allowance:
 
 
 def by_neighbour(orbit: Motion, near: Motion | None) -> Allowance:
-    """Return what demands of a body's orbit may fall below 0: twice what it differs by there.
+    """Return the allowance of a body's orbit by its distance from the exact solution `near`.
 
-    It is compared with the exact solution next to it, if there is one.
+    Without one, only rounding is allowed.
     """
     if near is None:
         return only_rounding
 
     @cache
-    def apart(p: int) -> Vector:
-        off: Vector = np.abs(orbit.signals(p, LOOK) - near.signals(p, LOOK)).max(axis=1)
-        return off
+    def errors(p: int) -> Vector:
+        largest: Vector = np.abs(orbit.signals(p, LOOK) - near.signals(p, LOOK)).max(axis=1)
+        return largest
 
-    return _by(orbit, lambda p, form: float(np.abs(form) @ apart(p)))
+    return _by(orbit, lambda p, form: float(np.abs(form) @ errors(p)))
 
 
 def _by(orbit: Motion, error: Callable[[int, Form], float]) -> Allowance:
-    """Return what is allowed by the error of each form on each phase."""
+    """Return the allowance for a given error of each form on each phase."""
 
     def allowed(p: int, form: Form) -> float:
         scale = scale_of(orbit, p, form)

@@ -1,7 +1,7 @@
-"""Functions on [0, 1] as Chebyshev interpolants, of pieces short enough to resolve them.
+"""Piecewise Chebyshev interpolants of functions on [0, 1], adaptively refined.
 
-What is computed from them, critical points above all, is then exact to rounding, whatever the
-function: no sampling misses a narrow dip between its points.
+Pieces are halved until the last coefficients are rounding.  Critical points and extremes are
+then exact to rounding: no narrow dip is missed between samples.
 """
 
 from collections.abc import Callable
@@ -15,21 +15,22 @@ from ..arrays import Matrix, Vector
 
 Function = Callable[[Vector], Vector]
 
-#: Degree of a piece; its last coefficients, as a part of the largest value, once resolved.
+#: Degree of a piece; number of its last coefficients that must be small; how small, relative
+#: to the largest value.
 DEGREE, LAST, RESOLVED = 32, 4, 1e-13
 
-#: What may be the rounding error of a function, as a part of its size: where a piece of half
-#: the length does not lower such last coefficients, nothing is left to resolve.
+#: Largest rounding error of a function, relative to its size.  Last coefficients below this
+#: that halving a piece does not lower are noise: the piece is resolved.
 NOISE = 1e-8
 
 #: Shortest piece, and most pieces: a function that needs more has more waves than can be
-#: followed, or mostly rounding errors for values.
+#: followed, or consists mostly of rounding errors.
 SHORTEST, MOST = 2.0**-40, 256
 
-#: Coefficients below this part of the largest are rounding errors of the values.
+#: Coefficients below this, relative to the largest, are rounding errors of the values.
 ROUNDING = 1e-14
 
-#: How far off the real axis, or beyond the ends, a root may be found and still be tried.
+#: Largest distance of a root from [-1, 1], or from the real axis, to be a candidate.
 NEAR = 1e-3
 
 
@@ -43,12 +44,12 @@ class Piece:
     resolved: bool = True
 
     def derivative(self, times: int) -> Vector:
-        """Return the coefficients of a derivative by the variable in [0, 1]."""
+        """Return the coefficients of the derivative of order `times` by u in [0, 1]."""
         scale = 2 / (self.end - self.start)
         return np.asarray(chebyshev.chebder(self.coefficients, times, scl=scale))
 
     def critical_points(self) -> Vector:
-        """Return where the derivative vanishes, and points too near to that to tell."""
+        """Return the real roots of the derivative, and points near roots up to rounding."""
         sizes = np.abs(self.coefficients)
         kept = int(np.nonzero(sizes > ROUNDING * sizes.max(initial=0.0))[0].max(initial=0)) + 1
         if kept == 1:
@@ -61,7 +62,7 @@ class Piece:
 
 @cache
 def interpolation(degree: int) -> tuple[Vector, Matrix]:
-    """Return the nodes of a degree on [-1, 1], and what takes values there to coefficients."""
+    """Return the Chebyshev nodes on [-1, 1], and the matrix from values to coefficients."""
     nodes = np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
     matrix = chebyshev.chebvander(nodes, degree) * (2 / (degree + 1))
     matrix[:, 0] /= 2
@@ -69,42 +70,42 @@ def interpolation(degree: int) -> tuple[Vector, Matrix]:
 
 
 def pieces(function: Function, size: float = 0.0) -> list[Piece]:
-    """Return the interpolants of a function on [0, 1], in order.
+    """Return the interpolants of a function on [0, 1], from left to right.
 
     Parameters
     ----------
     function : callable
-        Of an array of points, smooth on [0, 1].
+        Values at an array of points; smooth on [0, 1].
     size : float
-        Of what it is the sum or difference of, where that is larger than its own values: it
-        need not be resolved below the rounding errors of that.
+        Size of the terms whose sum the function is, if larger than its own values: their
+        rounding errors limit its resolution.
     """
     nodes, matrix = interpolation(DEGREE)
     found: list[Piece] = []
-    starts, length, before = np.zeros(1), 1.0, np.full(1, np.inf)
+    starts, length, last_before = np.zeros(1), 1.0, np.full(1, np.inf)
     while len(starts):  # pieces of one length at a time
         values = function((starts[:, None] + length * (1 + nodes) / 2).ravel())
         coefficients = values.reshape(len(starts), -1) @ matrix
         size = max(size, float(np.abs(values).max()))
         last = np.abs(coefficients[:, -LAST:]).max(axis=1)
-        only_noise = (last <= NOISE * size) & (last > before / 100)
+        only_noise = (last <= NOISE * size) & (last > last_before / 100)
         resolved = (last <= RESOLVED * size) | only_noise
         many = len(found) + len(starts) >= MOST
         done = resolved | many | (length <= SHORTEST)
         found += [
-            Piece(float(start), float(start) + length, own, bool(is_resolved))
-            for start, own, is_resolved in zip(
+            Piece(float(start), float(start) + length, row, bool(is_resolved))
+            for start, row, is_resolved in zip(
                 starts[done], coefficients[done], resolved[done], strict=True
             )
         ]
         length /= 2
         starts = (starts[~done, None] + np.array([0.0, length])).ravel()
-        before = np.repeat(last[~done], 2)
+        last_before = np.repeat(last[~done], 2)
     return sorted(found, key=lambda piece: piece.start)
 
 
 def candidates(parts: list[Piece]) -> Vector:
-    """Return the points at which a function may be largest or smallest: critical, and ends."""
+    """Return the points where a function may have its extremes: critical points and ends."""
     ends = [0.0, *(part.end for part in parts)]
     return np.concatenate([ends, *(part.critical_points() for part in parts)])
 
@@ -116,9 +117,10 @@ def extremes(function: Function, size: float = 0.0) -> tuple[float, float]:
 
 
 def accumulated(parts: list[Piece]) -> tuple[float, float]:
-    """Return the sizes of the first and of the second integral, but for what is free in them.
+    """Return the maximum norms of the first and the second integral of a function.
 
-    Free are a constant in the first, so that the second has equal ends, and one in the second.
+    The constant of the first is such that the second has equal values at 0 and 1; the constant
+    of the second is such that its norm is least.
     """
     w = np.linspace(-1.0, 1.0, 2 * DEGREE + 1)
     rate = travel = 0.0
@@ -137,7 +139,7 @@ def accumulated(parts: list[Piece]) -> tuple[float, float]:
 
 
 def derivative_at(parts: list[Piece], u: Vector, times: int) -> Vector:
-    """Return a derivative of an interpolated function at points in [0, 1]."""
+    """Return the derivative of order `times` of an interpolant at points in [0, 1]."""
     starts = np.array([part.start for part in parts])
     which = np.searchsorted(starts, u, side="right") - 1
     values = np.empty(len(u))

@@ -1,4 +1,4 @@
-"""How much rounding of the exact equations may move the times of a motion."""
+"""Condition of the times of a motion: how far rounding of the exact equations moves them."""
 
 import numpy as np
 
@@ -9,20 +9,20 @@ from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
 from .motion import Motion
 
-#: Rounding of a sum over modes, as many times that of each of its terms.
+#: Rounding error of a sum over modes, in units of that of one term.
 OF_MODES = 512
 
 
 def moved_times(motion: Motion, with_sums: bool = False) -> Vector:
-    """Return how far each time moves at most if each term is rounded by a small part, over it.
+    """Return Skeel's bound of the change of each time per relative rounding of all terms.
 
-    ``|J^-1| |J| |z|``, by Skeel, with the Jacobian J of the exact equations at the unknowns z,
-    near one of their solutions: durations and the phase of the forcing, without units.  It does
-    not depend on the units of conditions and unknowns, and is infinite where J is singular.
+    ``|J^-1| |J| |z|``, with the Jacobian J of the exact equations at the unknowns z near one of
+    their solutions; its entries for durations and the phase of the forcing, without units.  It
+    is invariant under scaling of equations, and infinite where J is singular.
 
     The velocity at which a phase is held is no unknown: where a phase begins and ends at it,
-    what is rounded is the change between.  Of a body the times alone are unknown.  `with_sums`,
-    both are added up and rounded: velocities, and the events of a body.
+    only the change between is rounded.  Of a body the unknowns are times alone.  `with_sums`,
+    these sums are rounded as well: velocities, and the events of a body over its modes.
     """
     cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
     z = unknowns_of(motion)

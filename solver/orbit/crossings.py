@@ -1,9 +1,10 @@
-"""Whether a phase would have ended before its end: its event, met on the way.
+"""Whether a phase passes its event before its end.
 
-A demand that ends with a phase keeps its event from being met earlier.  Where none does, the
-event is followed through its critical points.  Where it changes its sign on the way, the phase
-ends there if the velocity jumps at it, or if the phase that follows can begin: else the event
-is crossed from beyond, as by a mass that comes back through the place where it left a spring.
+A demand whose form is the event keeps it from being met early.  Without such a demand, the
+event function is followed through its critical points.  Where it changes sign before the end,
+the phase ends there if the velocity jumps, or if the phase that follows can begin.  Else the
+event is crossed in the other direction, as by a mass that returns through the place where it
+left a spring.
 """
 
 from functools import partial
@@ -22,14 +23,14 @@ HALVINGS = 60
 
 
 def met_before(orbit: Motion, p: int, allowed: float) -> float | None:
-    """Return the local time at which a phase would end before its end, if there is one.
+    """Return the local time of the first event before the end of a phase; None without one.
 
     Parameters
     ----------
     p : int
-        A phase of its cell with no demand that ends with it.
+        A phase of the cell; none of its demands has the form of its event.
     allowed : float
-        What its event may be beyond 0, as a part of its scale.
+        Values of the event function that count as 0, relative to its scale.
     """
     for before, after in _changes(orbit, p, allowed):
         u = _between(orbit, p, before, after)
@@ -39,7 +40,7 @@ def met_before(orbit: Motion, p: int, allowed: float) -> float | None:
 
 
 def _changes(orbit: Motion, p: int, allowed: float) -> list[tuple[float, float]]:
-    """Return the intervals in which the event changes its sign for more than rounding."""
+    """Return intervals at whose ends the event function has different signs."""
     form = orbit.cell.phases[p].event
     scale = scale_of(orbit, p, form)
     if not np.isfinite(scale):
@@ -54,7 +55,7 @@ def _changes(orbit: Motion, p: int, allowed: float) -> list[tuple[float, float]]
 
 
 def _between(orbit: Motion, p: int, before: float, after: float) -> float:
-    """Return where the event vanishes between two places of different sign."""
+    """Return the root of the event function in an interval, by bisection."""
     form = orbit.cell.phases[p].event
     sign = np.sign(value_at(orbit, p, form, before))
     for _ in range(HALVINGS):
@@ -67,7 +68,7 @@ def _between(orbit: Motion, p: int, before: float, after: float) -> float:
 
 
 def _is_a_switch(orbit: Motion, p: int, u: float, allowed: float) -> bool:
-    """Return whether the phase would end where its event vanishes on the way."""
+    """Return whether a phase ends at local time `u`, at which its event function vanishes."""
     phase = orbit.cell.phases[p]
     for _, form in phase.switch_demands:
         if value_at(orbit, p, form, u) < -allowed * scale_of(orbit, p, form):
@@ -76,36 +77,36 @@ def _is_a_switch(orbit: Motion, p: int, u: float, allowed: float) -> bool:
 
 
 def _begins(orbit: Motion, p: int, u: float, allowed: float) -> bool:
-    """Return whether the phase that follows can begin at a local time of phase `p`.
+    """Return whether the phase after `p` can begin at local time `u` of phase `p`.
 
-    What it demands of the force on a body is looked at where it is not near its limit alone.
+    Its demands must hold; one that is 0 must not decrease, where its rate is known.
     """
     q = (p + 1) % len(orbit.cell.phases)
-    seen, rates, unknown = _behind(orbit, p, q, u)
+    signals, rates, unknown = _after_switch(orbit, p, q, u)
     of = q if isinstance(orbit.cell, BodyCell) else p  # forces may vanish before the switch
     for _, form in orbit.cell.phases[q].demands:
-        found = float(np.dot(form, seen))
-        if abs(found) <= allowed * scale_of(orbit, of, form):
-            found = 0.0 if any(form[j] for j in unknown) else float(np.dot(form, rates))
-        if found < 0:
+        demand = float(np.dot(form, signals))
+        if abs(demand) <= allowed * scale_of(orbit, of, form):
+            demand = 0.0 if any(form[j] for j in unknown) else float(np.dot(form, rates))
+        if demand < 0:
             return False
     return True
 
 
-def _behind(orbit: Motion, p: int, q: int, u: float) -> tuple[Vector, Vector, list[int]]:
-    """Return what forms are of where phase `q` would begin, at a local time of phase `p`.
+def _after_switch(orbit: Motion, p: int, q: int, u: float) -> tuple[Vector, Vector, list[int]]:
+    """Return the signals with which phase `q` would begin at local time `u` of phase `p`.
 
-    Then how fast each changes, and of which of them that is not known.
+    Then their rates, and the indices of signals whose rate is not known.
     """
     cell, at = orbit.cell, np.array([u])
-    seen, sign = orbit.signals(p, at)[:, 0], 1 if q else cell.sign
-    turned = -sign * cell.omega * float(np.sin(orbit.angle_at(p, at))[0])
+    signals, sign = orbit.signals(p, at)[:, 0], 1 if q else cell.sign
+    cosine_rate = -sign * cell.omega * float(np.sin(orbit.angle_at(p, at))[0])
     if isinstance(cell, BodyCell):
-        seen = under(cell, cell.phases[q], seen, sign)
+        signals = under(cell, cell.phases[q], signals, sign)
         x, v, force, a = places(cell.body.at.shape[1])
-        rates = np.zeros(len(seen))
-        rates[x], rates[v], rates[2] = seen[v], seen[a], turned
-        return seen, rates, [*force, *a]
-    x, v, wave = sign * seen[:3]
-    rates = np.array([v, cell.phases[q].acceleration(x, v, wave), turned, 0.0])
-    return np.array([x, v, wave, 1.0]), rates, []
+        rates = np.zeros(len(signals))
+        rates[x], rates[v], rates[2] = signals[v], signals[a], cosine_rate
+        return signals, rates, [*force, *a]
+    x, v, cosine = sign * signals[:3]
+    rates = np.array([v, cell.phases[q].acceleration(x, v, cosine), cosine_rate, 0.0])
+    return np.array([x, v, cosine, 1.0]), rates, []

@@ -21,16 +21,16 @@ class Errors:
     Parameters
     ----------
     period : float
-        ``T/T_exact - 1``, signed; of a forced motion, rounding.
+        ``T/T_exact - 1``, signed; rounding if the motion is forced.
     times : float
         The largest error of a duration, and of the phase of the forcing over its angular
-        frequency, as a part of the period.
+        frequency, relative to the period.
     discontinuous : float
         Relative L2 error of the first derivative that jumps somewhere, ``x^(k+1)`` for a
         motion of class C^k, with each phase mapped onto the exact one, so that jumps coincide.
     switches : float
-        The largest error of the displacement where a phase begins, as a part of the largest
-        displacement.  Where a clock says when phases end, times have no error, and it has.
+        The largest error of the displacement where a phase begins, relative to the largest
+        displacement.  It tells orbits apart whose phases end at given times: these are exact.
     """
 
     period: float
@@ -45,19 +45,19 @@ def difference(found: Motion, reference: Motion, waves: int) -> Errors:
     Parameters
     ----------
     waves : int
-        Most waves of either on a phase, for quadrature.
+        Most waves of either on a phase: the number of panels of the quadrature.
     """
-    here, there = found.cell_durations, reference.cell_durations
+    durations, expected = found.cell_durations, reference.cell_durations
     return Errors(
-        period=float(np.sum(here - there)) / float(np.sum(there)),
-        times=times_apart(found, there, reference.angle) / found.case.cell.cells,
+        period=float(np.sum(durations - expected)) / float(np.sum(expected)),
+        times=times_apart(found, expected, reference.angle) / found.case.cell.cells,
         discontinuous=_of_derivative(found, reference, waves),
         switches=_of_switches(found, reference),
     )
 
 
 def times_apart(found: Motion, durations: Vector | tuple[float, ...], angle: float) -> float:
-    """Return how far the times of a motion are from others, as a part of a cell."""
+    """Return the largest difference between the times of a motion and others, over the cell."""
     cell = found.case.cell
     off = float(np.abs(found.cell_durations - durations).max())
     if cell.forced:
@@ -67,6 +67,7 @@ def times_apart(found: Motion, durations: Vector | tuple[float, ...], angle: flo
 
 
 def _of_switches(found: Motion, reference: Motion) -> float:
+    """Return the error `Errors.switches`."""
     phases, start = range(len(reference.cell_durations)), np.zeros(1)
     off = max(
         abs(float((found.part(p, start, 0) - reference.part(p, start, 0))[0])) for p in phases
@@ -76,58 +77,56 @@ def _of_switches(found: Motion, reference: Motion) -> float:
 
 
 def _of_derivative(found: Motion, reference: Motion, waves: int) -> float:
+    """Return the error `Errors.discontinuous`."""
     u, weights = panels([], max(waves, 2))
     order = found.case.cell.k + 1
-    apart = size = 0.0
+    squared_error = squared_norm = 0.0
     for p, s in enumerate(reference.cell_durations):
         expected = derivative(reference, p, u, order)
-        off = derivative(found, p, u, order) - expected
-        apart += float(s * (weights @ off**2))
-        size += float(s * (weights @ expected**2))
-    return math.sqrt(apart / size) if size else math.sqrt(apart)
+        error = derivative(found, p, u, order) - expected
+        squared_error += float(s * (weights @ error**2))
+        squared_norm += float(s * (weights @ expected**2))
+    return math.sqrt(squared_error / squared_norm if squared_norm else squared_error)
 
 
 def derivative(motion: Motion, p: int, u: Vector, order: int) -> Vector:
-    """Return a derivative by time of any order on a phase, without units.
+    """Return the derivative of any order by time at local times of phase `p`, without units.
 
-    Parameters
-    ----------
-    order : int
-        Of the derivative; of orders above 2 by interpolation of the acceleration.
+    Orders above 2 of one mass are derivatives of an interpolant of the acceleration.
     """
     if order <= 2 or motion.case.scene.has_body:
         return motion.part(p, u, order)
     parts = chebyshev.pieces(lambda w: motion.part(p, w, 2))
     duration = float(motion.cell_durations[p])
-    further = order - 2
-    return chebyshev.derivative_at(parts, u, further) / duration**further
+    times = order - 2
+    return chebyshev.derivative_at(parts, u, times) / duration**times
 
 
 def acceleration_error(found: Motion, reference: Motion, waves: int) -> float:
-    """Return (22) of the paper: the relative L2 difference over normalised time.
+    """Return the relative L2 error of the acceleration over normalised time, (22) of the paper.
 
-    `waves` are the most that either has on a period, for quadrature.
+    `waves` are the most that either has on a period: the number of panels of the quadrature.
     """
-    breaks = [
-        float(end) for each in (found, reference) for end in _ends(each)[1:-1] / _ends(each)[-1]
-    ]
+    switches = (_switches(found), _switches(reference))
+    breaks = [float(t) for times in switches for t in times[1:-1] / times[-1]]
     theta, weights = panels(breaks, max(waves, 2))
-    expected = _at(reference, theta)
-    apart = _at(found, theta) - expected
-    return math.sqrt(float(weights @ apart**2) / float(weights @ expected**2))
+    expected = _acceleration(reference, theta)
+    error = _acceleration(found, theta) - expected
+    return math.sqrt(float(weights @ error**2) / float(weights @ expected**2))
 
 
-def _ends(motion: Motion) -> Vector:
-    ends: Vector = np.append(0.0, np.cumsum(motion.cell_durations))
-    return ends
+def _switches(motion: Motion) -> Vector:
+    """Return the times of the switches of a cell, from 0 to its end, without units."""
+    times: Vector = np.append(0.0, np.cumsum(motion.cell_durations))
+    return times
 
 
-def _at(motion: Motion, theta: Vector) -> Vector:
-    """Return the acceleration at parts of the period, without units."""
-    ends = _ends(motion)
-    t = theta * ends[-1]
+def _acceleration(motion: Motion, theta: Vector) -> Vector:
+    """Return the acceleration at times in [0, 1) of the cell, without units."""
+    switches = _switches(motion)
+    t = theta * switches[-1]
     values = np.empty(len(t))
     for p, s in enumerate(motion.cell_durations):
-        here = (t >= ends[p]) & (t < ends[p + 1])
-        values[here] = motion.part(p, (t[here] - ends[p]) / s, 2)
+        in_phase = (t >= switches[p]) & (t < switches[p + 1])
+        values[in_phase] = motion.part(p, (t[in_phase] - switches[p]) / s, 2)
     return values

@@ -18,18 +18,18 @@ from ..stability.in_words import in_words
 from . import admissible
 from .shown import Shown
 
-#: What is rounding of a sum over modes, as a part of its terms added without sign.
+#: Rounding error of a sum over modes, relative to the sum of the moduli of its terms.
 NOISE = 256 * float(np.finfo(float).eps)
 
-#: Differences of times, as a part of the largest, of the same solution of a body; of any one,
-#: those that are rounding.
+#: Differences of times, relative to the largest, between solutions of a body that are the same;
+#: and between any that differ by rounding.
 SAME, EQUAL = 1e-11, 1e-13
 
-#: How far from closed a body may be, as a part of its states.
+#: Largest difference between the states of a body a period apart, relative to them.
 CLOSED = 1e-8
 
-#: Most iterations for one mass: a step lengthens a phase by a part of itself, and one may last
-#: a hundred million times as long as another.
+#: Most iterations for one mass: each lengthens a phase by a limited factor, and one may last a
+#: hundred million times as long as another.
 LIMIT = 80
 
 
@@ -37,7 +37,10 @@ LIMIT = 80
 class ExactOrbit(Shown):
     """The exact periodic orbit of a case, from the closed-form flow of its phases.
 
-    Its outcome has states and times without units, and how Newton's method found them.
+    Parameters
+    ----------
+    outcome : Outcome
+        States and times without units, and how Newton's method found them.
     """
 
     case: Case
@@ -49,17 +52,18 @@ class ExactOrbit(Shown):
 
     @property
     def times(self) -> Vector:
-        """Durations and, if something forces, the phase of the forcing; without units."""
+        """Durations and, if forced, the phase of the forcing; without units."""
         return self._kernel.times(self.outcome.unknowns)
 
     @property
     def memory_values(self) -> tuple[float, ...]:
-        """What the switches of the cell set, without units."""
+        """Values of the memory, set by switches of the cell, without units."""
         count = len(self.case.cell.phases)
         found = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
         return tuple(map(float, found))
 
     def _least_sizes(self, p: int) -> Vector | float:
+        """Return sizes below which signals of a body on phase `p` are mostly rounding."""
         cell = self.case.cell
         if not isinstance(cell, BodyCell):
             return 0.0
@@ -67,51 +71,51 @@ class ExactOrbit(Shown):
 
     @cached_property
     def violations(self) -> tuple[str, ...]:
-        """What keeps the solution from being an orbit, in words."""
+        """Why the solution is not an orbit, in words; empty if it is one."""
         cell = self.case.cell
         if isinstance(cell, BodyCell) and self.outcome.converged:
-            apart = left_open(cell, self.times)
-            if not apart <= CLOSED:
-                return (f"it does not close: by {apart:.3g} of its size",)
+            opening = left_open(cell, self.times)
+            if not opening <= CLOSED:
+                return (f"it does not close: by {opening:.3g} of its size",)
         return admissible.violations(self) or not_followed(self)
 
     @cached_property
     def admissible(self) -> bool:
         """Whether the solution is an orbit: nothing in `violations`.
 
-        All orders lead to the same solution, and to judge it takes longer than to find it: what
-        differs from an orbit by rounding is one.
+        Times of orbits are kept: expansions of all orders lead to the same solution, and to
+        judge it takes longer than to find it.
         """
-        own, known = self.times, _admitted(self.case)
-        if any(np.abs(each - own).max() <= EQUAL * np.abs(own).max() for each in known):
+        times, known = self.times, _admitted(self.case)
+        if any(np.abs(other - times).max() <= EQUAL * np.abs(times).max() for other in known):
             return True
-        found = not (admissible.is_seen_violated(self) or self.violations)
-        if found and self.outcome.converged:
-            known.append(own)
-        return found
+        is_orbit = not (admissible.is_seen_violated(self) or self.violations)
+        if is_orbit and self.outcome.converged:
+            known.append(times)
+        return is_orbit
 
     @property
     def label(self) -> str:
-        """What a legend calls it."""
+        """Name in a legend."""
         return "exact"
 
     @property
     def look(self) -> None:
-        """Of its curves in pictures: None, those of every exact orbit."""
+        """Style of its curve in pictures: None, the one of all exact orbits."""
 
     @property
     def facts(self) -> dict[str, str]:
-        """What a notebook shows."""
-        found = super().facts
-        head = {name: found.pop(name) for name in ("scene", "parameters")}
-        return head | {"orbit": "exact"} | found | {"stability": in_words(self)}
+        """Lines that a notebook shows."""
+        facts = super().facts
+        head = {name: facts.pop(name) for name in ("scene", "parameters")}
+        return head | {"orbit": "exact"} | facts | {"stability": in_words(self)}
 
     def __repr__(self) -> str:
         return f"<exact orbit of {self.case.scene.label}: {self._times}{self._verdict}>"
 
 
 def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
-    """Return where Newton's method leads from rough times: an orbit only if it says so."""
+    """Return the result of Newton's method from rough times; `admissible` tells if an orbit."""
     kernel = exact_kernel(case.cell)
     times = np.array([*start.durations, *([start.angle] if kernel.forced else [])])
     with kernel.spending():
@@ -123,33 +127,33 @@ def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
 
 @lru_cache(maxsize=8)
 def _admitted(case: Case) -> list[Vector]:
-    """Return the times of solutions of a case that are orbits: filled by others."""
+    """Return the list, filled by `ExactOrbit.admissible`, of the times of orbits of a case."""
     return []
 
 
 @lru_cache(maxsize=8)
-def _found(case: Case) -> list[ExactOrbit]:
-    """Return the solutions of a case to which Newton's method led before: filled by others."""
+def _solutions(case: Case) -> list[ExactOrbit]:
+    """Return the list, filled by `_kept`, of converged solutions of a case."""
     return []
 
 
 def _kept(orbit: ExactOrbit) -> ExactOrbit:
-    """Return the same solution as it was found before, with what was asked of it, if it was.
+    """Return the same solution found earlier, with its cached properties; else the new one.
 
-    Of a body every judgement takes long, and all orders lead to the same solution.
+    To judge a solution of a body takes long, and expansions of all orders lead to the same one.
     """
     if not orbit.outcome.converged:
         return orbit
-    before, own = _found(orbit.case), orbit.times
-    for other in before:
-        if np.abs(other.times - own).max() <= SAME * np.abs(own).max():
+    earlier, times = _solutions(orbit.case), orbit.times
+    for other in earlier:
+        if np.abs(other.times - times).max() <= SAME * np.abs(times).max():
             return other
-    before.append(orbit)
+    earlier.append(orbit)
     return orbit
 
 
 def of_unknowns(case: Case, z: Vector) -> ExactOrbit:
-    """Return where Newton's method leads from unknowns of the exact equations."""
+    """Return the result of Newton's method from unknowns of the exact equations."""
     kernel = exact_kernel(case.cell)
     with kernel.spending():
         outcome = newton(kernel.iterate, case.cell, z)

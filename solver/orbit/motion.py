@@ -16,8 +16,8 @@ from ..scenes.cell import Cell
 from ..stability.stability import Stability, stability
 from . import chebyshev
 
-#: Points of a phase at which the size of a motion is looked at; at so many, at most, values
-#: are kept.
+#: Local times at which the size of a motion is sampled.  Values at this many points or fewer
+#: are cached.
 LOOK = np.linspace(0.0, 1.0, 65)
 
 
@@ -28,7 +28,7 @@ class OrbitPhase:
     Parameters
     ----------
     name : str
-        Of the scene.
+        Its name in the scene.
     duration : float
         In s.
     displacement, velocity : float
@@ -42,9 +42,9 @@ class OrbitPhase:
 
 
 class Motion:
-    """A periodic motion that solves equations of a case: at any time, in SI units.
+    """A periodic motion of a case, evaluated at any time in SI units.
 
-    A subclass is a dataclass that says which equations.
+    A subclass is a dataclass with the equations that it solves, as `_kernel`.
     """
 
     case: Case
@@ -52,17 +52,17 @@ class Motion:
 
     @cached_property
     def _kernel(self) -> Kernel:
-        """The equations that it solves."""
+        """Kernel of the equations that the motion solves."""
         raise NotImplementedError
 
     @cached_property
     def _given(self) -> Any:
-        """What the functions of the kernel take for the case."""
+        """First argument of the kernel's functions."""
         return self.case.cell
 
     @property
     def _identity(self) -> tuple[object, ...]:
-        """What makes two motions the same."""
+        """Key by which motions are compared: all fields but how Newton's method went."""
         how = (name for name in self.__getstate__() if name not in ("outcome", "iterations"))
         return (*(getattr(self, name) for name in how), self.outcome.unknowns.tobytes())
 
@@ -73,7 +73,7 @@ class Motion:
         return hash(self._identity)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what it was made of, for pickle: what was computed from that is left out."""
+        """Return the fields of the dataclass, without cached properties, for pickle."""
         return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
 
     @property
@@ -83,29 +83,29 @@ class Motion:
 
     @property
     def memory_values(self) -> tuple[float, ...]:
-        """What the switches of the cell set, without units, in the order of its memory."""
+        """Values of the memory, set by switches of the cell, without units, in its order."""
         return ()
 
     @cached_property
     def cell(self) -> Cell:
-        """The equations of the cell, with numbers for what its switches set."""
+        """The equations of the cell, with the values of its memory put in."""
         return self.case.cell.remembering(self.memory_values)
 
     @cached_property
     def memory(self) -> dict[str, float]:
-        """What the switches of the first cell set, by name, in SI units."""
+        """Values of the memory in the first cell, by name, in SI units."""
         values = zip(self.case.cell.memory, self.memory_values, strict=True)
         return {q.name: value * self.case.units.of_motion(q.power) for q, value in values}
 
     @property
     def angle(self) -> float:
-        """Phase of the forcing at the first switch, anywhere on the circle."""
+        """Phase of the forcing at the first switch in rad, not reduced to one turn."""
         return self._kernel.split(self.outcome.unknowns)[1]
 
     def part(self, p: int, u: Vector, derivative: int) -> Vector:
-        """Return a derivative of the displacement on phase `p` of the cell, without units.
+        """Return a derivative of the displacement at local times of phase `p`, without units.
 
-        Checks look at the same few points of a phase many times: what was found is kept.
+        Values at few points are cached: checks look at the same ones many times.
         """
         if len(u) > len(LOOK):
             return self._part(p, u, derivative)
@@ -115,7 +115,7 @@ class Motion:
         return self._parts[key]
 
     def _part(self, p: int, u: Vector, derivative: int) -> Vector:
-        """Return what `part` does, computed anew."""
+        """Return the same as `part`, without the cache."""
         values = self._kernel.motion(self._given, self.outcome.unknowns, p, u, derivative)
         return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
 
@@ -126,9 +126,10 @@ class Motion:
         return np.asarray(begin + omega * durations[p] * u)
 
     def signals(self, p: int, u: Vector) -> Matrix:
-        """Return what linear forms are of on phase `p`, without units; shape (S, len(u)).
+        """Return the quantities of which forms are linear combinations; shape (S, len(u)).
 
-        Of one mass x, x', the cosine of the forcing and 1; of a body see `BodyPhase`.
+        At local times of phase `p`, without units: of one mass x, x', the cosine of the forcing
+        and 1; of a body those of `BodyPhase`.
         """
         if self.case.scene.has_body:
             assert self._kernel.signals is not None
@@ -138,6 +139,7 @@ class Motion:
 
     @cached_property
     def _parts(self) -> dict[tuple[int, int, bytes], Vector]:
+        """Cache of `part`."""
         return {}
 
     @cached_property
@@ -176,27 +178,29 @@ class Motion:
 
     @cached_property
     def sizes(self) -> Matrix:
-        """Sizes of all `signals` on each phase, as large as makes their rounding no violation.
+        """Sizes of all `signals` on each phase; shape (P, S).
 
-        The largest of 65 values on each, enough for a scale; shape (P, S).
+        The largest of 65 samples, and no less than `_least_sizes`.
         """
-        seen = ((p, np.abs(self.signals(p, LOOK)).max(axis=1)) for p in self._of_cell)
-        return np.array([np.maximum(each, self._least_sizes(p)) for p, each in seen])
+        largest = ((p, np.abs(self.signals(p, LOOK)).max(axis=1)) for p in self._of_cell)
+        return np.array([np.maximum(sizes, self._least_sizes(p)) for p, sizes in largest])
 
     def _least_sizes(self, p: int) -> Vector | float:
-        """Return what the sizes of `signals` on a phase are at least, by their rounding."""
+        """Return sizes below which `signals` on phase `p` are mostly rounding."""
         return 0.0
 
     @property
     def _of_cell(self) -> range:
+        """Indices of the phases of the cell."""
         return range(len(self.case.cell.phases))
 
     def _sign(self, index: int) -> int:
+        """Return the sign of the cell that has phase `index` of the period."""
         return self.case.cell.sign if index >= len(self.case.cell.phases) else 1
 
     @cached_property
     def _switches(self) -> Vector:
-        """Times at which the phases of a period start, and its end, in s."""
+        """Times of the switches of a period, from 0 to its end, in s."""
         ends = [math.fsum(self.durations[:p]) for p in range(len(self.durations) + 1)]
         return np.array(ends)
 
@@ -224,6 +228,7 @@ class Motion:
         return self._at(t, 2)
 
     def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
+        """Return a derivative of the displacement at times in s, in SI units."""
         times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
         if not np.isfinite(times).all():
             raise ValueError(f"t: got {t!r}, expected finite times in s")
@@ -232,20 +237,21 @@ class Motion:
         which = np.searchsorted(self._switches, within, side="right") - 1
         values = np.empty(len(within))
         for index in np.unique(which):
-            here = which == index
-            u = (within[here] - self._switches[index]) / self.durations[index]
+            in_phase = which == index
+            u = (within[in_phase] - self._switches[index]) / self.durations[index]
             p = int(index) % len(self.case.cell.phases)
-            values[here] = self._sign(index) * self.part(p, np.clip(u, 0.0, 1.0), derivative)
+            part = self.part(p, np.clip(u, 0.0, 1.0), derivative)
+            values[in_phase] = self._sign(index) * part
         values *= self.case.units.of_motion(derivative)
         return values.reshape(times.shape)
 
     @cached_property
     def extremes(self) -> dict[str, tuple[float, float]]:
         """Least and largest displacement in m, and velocity in m/s, over a period."""
-        return {name: self._ends(j) for j, name in enumerate(("displacement", "velocity"))}
+        return {name: self._range(j) for j, name in enumerate(("displacement", "velocity"))}
 
-    def _ends(self, derivative: int) -> tuple[float, float]:
-        """Return the least and the largest value of a derivative, between critical points."""
+    def _range(self, derivative: int) -> tuple[float, float]:
+        """Return the least and the largest value of a derivative, from its critical points."""
         parts = [partial(self.part, p, derivative=derivative) for p in self._of_cell]
         size = max(float(np.abs(part(LOOK)).max()) for part in parts)
         low, high = np.transpose([chebyshev.extremes(part, size) for part in parts])
@@ -257,7 +263,7 @@ class Motion:
 
     @cached_property
     def stability(self) -> Stability:
-        """What a period makes of small perturbations, with the rounding of that.
+        """The Floquet multipliers of the orbit, with bounds of their rounding errors.
 
         Raises
         ------
@@ -270,18 +276,18 @@ class Motion:
     def multipliers(self) -> Complex:
         """The Floquet multipliers of a whole period, the largest first; see `stability`.
 
-        Without forcing, that of a shift in time is left out: it is `trivial_multiplier`.
+        Without forcing, `trivial_multiplier` is left out.
         """
         return self.stability.multipliers
 
     @property
     def trivial_multiplier(self) -> float | None:
-        """The multiplier of a shift in time, 1 but for errors; None where something forces."""
+        """The multiplier of a shift in time, 1 up to errors; None of a forced motion."""
         return self.stability.trivial_multiplier
 
     @property
     def stable(self) -> bool | None:
-        """Whether small perturbations die out; None where that cannot be told."""
+        """Whether small perturbations decay; None if undecided."""
         return self.stability.stable
 
     @property

@@ -7,14 +7,15 @@ import numpy as np
 
 from ..arrays import Vector
 
-#: Nodes and weights on ``(-1, 1)`` of the rule in each panel, which holds at most one wave.
+#: Nodes and weights on ``(-1, 1)`` of the Gauss rule in each panel.
 RULE = np.polynomial.legendre.leggauss(20)
 
 
 def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
     """Return nodes and weights of a composite Gauss rule on ``(0, 1)``.
 
-    An integrand may jump at the breaks; each wave of the highest harmonic has a panel.
+    The integrand may jump at the breaks.  No panel has more than one wave of the highest
+    harmonic, of which there are `waves` in ``(0, 1)``.
     """
     x, w = RULE
     edges = np.array(sorted({0.0, *breaks, 1.0}))

@@ -1,4 +1,4 @@
-"""What every periodic motion shows of itself: a line, a table of its course, a picture."""
+"""How every periodic motion is shown: as text, as a table over time, as a picture."""
 
 from typing import Any
 
@@ -9,32 +9,32 @@ from ..presentation.table import COURSE, Table, Tabular
 from ..stability.stability import is_stable
 from .motion import Motion
 
-#: Times over one period at which the course of a motion is given.
+#: Times per period in a table, unless others are asked for.
 SAMPLES = 1000
 
 
 class Shown(Motion, Tabular):
-    """A motion that becomes a picture, a table, or text."""
+    """A motion that can be shown as a picture, a table, or text."""
 
     @property
     def label(self) -> str:
-        """What a legend calls it: method and order, or ``"exact"``."""
+        """Name in a legend: method and order, or ``"exact"``."""
         raise NotImplementedError
 
     @property
     def about(self) -> dict[str, Any]:
         """Scene, period and parameters, for tables and files."""
         scene, turn = self.case.scene, self.forcing_phase
-        found: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
-        found |= {"motion": scene.motion} if scene.motion else {}
-        found |= {"cycles": self.case.cycles, "period": self.period}
-        found |= {} if turn is None else {"forcing_phase": turn}
+        about: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
+        about |= {"motion": scene.motion} if scene.motion else {}
+        about |= {"cycles": self.case.cycles, "period": self.period}
+        about |= {} if turn is None else {"forcing_phase": turn}
         phases = " ".join(phase.name for phase in self.phases)
-        return found | {"phases": phases} | dict(self.case.values)
+        return about | {"phases": phases} | dict(self.case.values)
 
     @property
     def facts(self) -> dict[str, str]:
-        """What a notebook shows: what is solved, period, phases, stability."""
+        """Lines that a notebook shows: scene, parameters, period, phases."""
         scene, turn = self.case.scene, self.forcing_phase
         return {
             "scene": f"{scene.name}: {scene.title}",
@@ -57,7 +57,7 @@ class Shown(Motion, Tabular):
 
     @property
     def _verdict(self) -> str:
-        """Whether it is stable, in a word behind a comma; empty where that is not known."""
+        """``", stable"`` or ``", unstable"``; empty where neither is known."""
         stable = is_stable(self)
         return "" if stable is None else ", stable" if stable else ", unstable"
 
@@ -87,13 +87,13 @@ class Shown(Motion, Tabular):
     def table(self, samples: int = SAMPLES) -> Table:
         """Return the motion over one period, at equal steps of time.
 
-        `t` in s, `displacement`, `velocity` and `acceleration` in SI units, and the number of
-        the `phase`, from 0; their names are in `about`.
+        Its columns are `t` in s, `displacement`, `velocity` and `acceleration` in SI units, and
+        the number of the `phase`, from 0.  The names of the phases are in `about`.
 
         Parameters
         ----------
         samples : int
-            How many times.
+            Number of times.
         """
         t = self.period * np.arange(samples) / samples
         switches = np.cumsum(self.durations)[:-1]

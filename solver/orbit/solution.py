@@ -1,4 +1,4 @@
-"""A solution of a method's equations for a case, in SI units: an orbit if it is admissible."""
+"""A solution of the equations of a method, in SI units; an orbit if it is admissible."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,14 +20,14 @@ from .errors import Errors, difference, times_apart
 from .exact_orbit import ExactOrbit, from_times
 from .shown import Shown
 
-#: Error of the times, as a part of the period, above which an exact solution is not next to one
-#: of an expansion: whether that one is an orbit is not decided by it.
+#: Difference of times, relative to the period, up to which an exact solution is the neighbour
+#: of one of an expansion, and decides whether that one is an orbit.
 FAR = 0.05
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution(Shown):
-    """Where Newton's method led, for a case, a method and an order.
+    """The result of Newton's method for a case, a method and an order.
 
     Parameters
     ----------
@@ -38,9 +38,9 @@ class Solution(Shown):
     outcome : Outcome
         The unknowns of the kernel, without units, and how Newton's method found them.
     iterations : int
-        Jacobians factorised in all, those of the way to the start included.
+        Jacobians factorised in all, including those for the starting values.
     functions : int or None
-        Functions beside the harmonics at each switch, where the method counts them.
+        Number of functions added to the harmonics at each switch; None if fixed by the method.
     """
 
     case: Case
@@ -56,7 +56,7 @@ class Solution(Shown):
 
     @cached_property
     def _given(self) -> Any:
-        """What the functions of the kernel take for the case."""
+        """First argument of the kernel's functions."""
         return self._kernel.given(self.case, self.order)
 
     @property
@@ -66,9 +66,9 @@ class Solution(Shown):
 
     @property
     def memory_values(self) -> tuple[float, ...]:
-        """What the switches set, without units, in the order of the cell's memory."""
-        found = self._kernel.coefficients(self.unknowns)
-        return tuple(float(found[memory.name][0]) for memory in self.case.cell.memory)
+        """Values of the memory, set by switches of the cell, without units, in its order."""
+        by_name = self._kernel.coefficients(self.unknowns)
+        return tuple(float(by_name[memory.name][0]) for memory in self.case.cell.memory)
 
     @property
     def smoothness(self) -> str:
@@ -89,22 +89,20 @@ class Solution(Shown):
     def coefficients(self) -> dict[str, float | list[float]]:
         """The coefficients of the expansion by name, in SI units."""
         units = self.case.units
-        found: dict[str, float | list[float]] = {}
+        coefficients: dict[str, float | list[float]] = {}
         memory = {q.name for q in self.case.cell.memory}
         for name, (values, power) in self._kernel.coefficients(self.unknowns).items():
             if name in memory:
                 continue
             unit = product_of_powers(units.length, (units.time, -power))
-            found[name] = (np.asarray(values, dtype=float) * unit).tolist()
-        return found
+            coefficients[name] = (np.asarray(values, dtype=float) * unit).tolist()
+        return coefficients
 
     @cached_property
     def violations(self) -> tuple[str, ...]:
-        """What keeps the solution from being an orbit, in words.
+        """Why the solution is not an orbit, in words; empty if it is one.
 
-        What its own residual excuses is bounded by the exact solution next to it: if that one
-        is not an orbit, neither is this.  Functions that begin at switches resolve the end of a
-        phase to about one part in 2 N where its event is not imposed.
+        Its own motion must violate no demand, and its exact neighbour must be an orbit.
         """
         if self.case.scene.has_body and self._neighbour is None:
             return ("no exact solution is next to it: the order does not resolve the contact",)
@@ -112,7 +110,11 @@ class Solution(Shown):
 
     @cached_property
     def own_violations(self) -> tuple[str, ...]:
-        """What keeps it from being one by its own motion; the exact one is not asked."""
+        """Violations of its own motion; for one mass the exact solution is not computed.
+
+        Functions that begin at switches resolve the end of a phase to about 1 / (2 N), where
+        its event is not imposed.
+        """
         if self.case.scene.has_body:
             return admissible.violations(self, by_neighbour(self, self._exact_solution))
         unmet = 1 / (2 * self.order) if self._kernel.starts else 0.0
@@ -120,7 +122,7 @@ class Solution(Shown):
 
     @cached_property
     def _disproof(self) -> tuple[str, ...]:
-        """What the exact solution next to it violates; where there is none, its own order."""
+        """Violations of its exact neighbour; without one, of its own order of phases."""
         near = self._neighbour
         if near is None:
             return not_followed(self)
@@ -136,43 +138,43 @@ class Solution(Shown):
 
     @cached_property
     def _exact_solution(self) -> ExactOrbit | None:
-        """The solution of the exact equations to which its times lead, if to one."""
-        own = RoughTimes(tuple(map(float, self.cell_durations)), self.angle, "its own times")
-        found = from_times(self.case, own)
-        return found if found.outcome.converged else None
+        """The exact solution by Newton's method from its times; None without convergence."""
+        start = RoughTimes(tuple(map(float, self.cell_durations)), self.angle, "its own times")
+        exact = from_times(self.case, start)
+        return exact if exact.outcome.converged else None
 
     @cached_property
     def _neighbour(self) -> ExactOrbit | None:
-        """The same, if it is next to this one."""
+        """The exact solution, if its times differ by at most `FAR`; else None."""
         near = self._exact_solution
         if near is None:
             return None
-        off = times_apart(self, near.cell_durations, near.angle) / self.case.cell.cells
-        return near if off <= FAR else None
+        distance = times_apart(self, near.cell_durations, near.angle) / self.case.cell.cells
+        return near if distance <= FAR else None
 
     @property
     def exact(self) -> ExactOrbit | None:
-        """The exact orbit next to this one; None if there is none to be found."""
-        found = self._exact_solution
-        return found if found is not None and found.admissible else None
+        """The exact orbit to which its times lead; None if they lead to none."""
+        exact = self._exact_solution
+        return exact if exact is not None and exact.admissible else None
 
     @cached_property
     def errors(self) -> Errors | None:
-        """Errors against the exact orbit; None if there is none to be found."""
+        """Errors against the exact orbit; None without one."""
         return None if self.exact is None else difference(self, self.exact, self.order)
 
 
 def attempt(
     kernel: Kernel, case: Case, order: int, times: Vector, functions: int | None = None
 ) -> Solution:
-    """Return where Newton's method leads from rough times: an orbit only if it says so.
+    """Return the result of Newton's method from rough times; `admissible` tells if an orbit.
 
     Parameters
     ----------
     times : ndarray
         Durations and, if the scene is forced, the phase of the forcing; without units.
     functions : int, optional
-        See `Solution`.
+        As in `Solution`.
     """
     with kernel.spending():
         given = kernel.given(case, order)

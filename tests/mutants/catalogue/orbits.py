@@ -229,8 +229,8 @@ MUTANTS = (
     Mutant(
         "of the paper: (22) is integrated over the jumps of the orbit",
         "solver/orbit/errors.py",
-        "_ends(each)[1:-1] / _ends(each)[-1]",
-        "_ends(reference)[1:-1] / _ends(reference)[-1]",
+        "(_switches(found), _switches(reference))",
+        "(_switches(reference), _switches(reference))",
         PAPER,
     ),
     Mutant(
