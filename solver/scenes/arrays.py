@@ -1,4 +1,4 @@
-"""The equations of a cell as arrays: what kernels of any scene take for a case."""
+"""The equations of a cell as arrays: the first argument of the kernels of any scene."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -16,16 +16,17 @@ class Arrays(NamedTuple):
     Parameters
     ----------
     kinds : ndarray of int, shape (P, 5)
-        Of each phase: free or held, class where it begins, unknowns beside a series, of which
-        state its event is.
+        Of each phase: whether it is free, the class at its begin, the number of unknowns added
+        to a series, and where x and x' of its event are taken.
     numbers : ndarray, shape (P, 11 + 2 M)
-        Of each phase: equation, jump, event, then both for each memory.
+        Of each phase: equation (5), jump (2), event (4), then the factors of each memory in the
+        equation and in the event.
     setting : ndarray of int, shape (M,)
-        The phase whose beginning sets each memory.
+        The phase whose begin sets each memory.
     memory : ndarray, shape (M, 4)
-        What it is set to, a linear form in x, v, the cosine of the forcing, and 1.
+        The value it is set to, a linear form in x, x', the cosine of the forcing, and 1.
     cell : ndarray, shape (3,)
-        Sign of the next cell; angular frequency; the duration of the cell times it, over pi.
+        Sign of the next cell; angular frequency; forcing angle of the cell over pi, 0 if free.
     """
 
     kinds: Integers
@@ -47,13 +48,13 @@ def arrays_of(
     Parameters
     ----------
     classes : sequence of int
-        The k of the switch that begins each phase; 1 without them.
+        The k of the class C^k at the begin of each phase; 1 by default.
     beside : sequence of int
-        How many unknowns each phase has beside a series; none without it.
+        The number of unknowns that each phase adds to a series; 0 by default.
     after : bool
-        Whether events are of the state after them, but for a velocity that jumps.
+        Whether events are evaluated after the switch, but for a velocity that jumps.
     starts : bool
-        Whether the start of the cell, if it has one, stands in the place of the first event.
+        Whether the condition of the cell's start, if any, replaces the first event.
     """
     mass = next(phase.m for phase in cell.phases if not phase.held)
     rows = (_of_phase(phase, mass, after) for phase in cell.phases)
@@ -74,15 +75,15 @@ def arrays_of(
 
 
 def _of_phase(phase: Phase, mass: float, after: bool) -> tuple[list[int], list[float]]:
-    """Return the row of a phase in `Arrays.kinds`, and in `Arrays.numbers`.
+    """Return the rows of a phase in `Arrays.kinds` and `Arrays.numbers`.
 
-    That of a held one is ``mass x'' = 0``, comparable with the others.
+    The equation of a held phase is ``mass x'' = 0``: of the same size as those of the others.
     """
     jumps = (phase.rho, phase.d) != (1, 0)
     states = [of.AFTER if after else of.AT_END, of.AFTER if after and not jumps else of.AT_END]
     equation = [phase.m, phase.c, phase.k, phase.f, phase.g]
     memory = list(phase.memory)
-    if phase.held:  # the velocity in which it begins is the one at which it is held
+    if phase.held:  # its velocity at the begin is the prescribed one
         equation, memory = [mass, 0.0, 0.0, 0.0, 0.0], [0.0] * len(memory)
     row = [*equation, phase.rho, phase.d, *phase.event[:4], *memory, *phase.event[4:]]
     return [not phase.held, 1, 0, *states], row

@@ -1,4 +1,4 @@
-"""A scene with numbers: checked parameters, units, and what is left without units."""
+"""A case: a scene with checked numbers for its parameters, and units that scale them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 # A periodic motion of a case.
 _Motion = TypeVar("_Motion")
 
-#: Most periods of the forcing in one of the motion: more are beyond the orders of kernels.
+#: Most periods of the forcing in one of the motion: kernels of feasible order resolve no more.
 MOST_CYCLES = 100
 
 
@@ -33,21 +33,21 @@ class Case:
     scene : LoadedScene
         The scene.
     values : mapping of str to float
-        Parameters by name, in SI units; what is missing has its default.
+        Parameters by name, in SI units; defaults for those that are missing.
     cycles : int
-        How many periods of the forcing the period of the motion is.
+        Periods of the forcing in one period of the motion.
 
     Attributes
     ----------
     units : Units
-        Of mass, time and length, in which its numbers are of moderate size.
+        Units of mass, time and length in which the parameters are of moderate size.
     numbers : tuple of float
-        The parameters in these units, in order.
+        The parameters in these units, in the order of the scene.
 
     Raises
     ------
     ParameterError
-        A `ValueError`: everything that is wrong with the parameters, a line each.
+        A `ValueError`: every problem of the parameters, a line each.
     """
 
     scene: "LoadedScene"
@@ -56,7 +56,7 @@ class Case:
     units: Units = field(init=False)
     numbers: tuple[float, ...] = field(init=False)
 
-    #: Names of times of its orbits, in s, and of errors of them, that those of others lack.
+    #: Further keys in documents of its orbits, for subclasses: times in s, and errors.
     own_numbers: ClassVar[tuple[str, ...]] = ()
     own_errors: ClassVar[tuple[str, ...]] = ()
 
@@ -95,7 +95,7 @@ class Case:
         return self.scene, self.cycles, *self.values.values()
 
     def with_cycles(self, cycles: int) -> "Case":
-        """Return the case of a motion whose period is so many periods of the forcing."""
+        """Return the case with another number of periods of the forcing in the motion's."""
         return Case(self.scene, self.values, cycles)
 
     def of_motion(self, name: object) -> "Case":
@@ -109,7 +109,7 @@ class Case:
         return Case(self.scene.of_motion(name), self.values, self.cycles)
 
     def of_fullest(self) -> "Case":
-        """Return the case of the motion with the most phases; itself if there is one."""
+        """Return the case of the motion with the most phases; itself if it is the only one."""
         fullest = self.scene.fullest
         if fullest is self.scene:
             return self
@@ -125,7 +125,7 @@ class Case:
 
     @property
     def each_motion(self) -> "tuple[Case, ...]":
-        """The case of each motion of the scene; itself if there is one."""
+        """The case of each motion of the scene; itself if it has only one."""
         if not self.scene.motions:
             return (self,)
         return tuple(Case(q, self.values, self.cycles) for q in self.scene.each_motion)
@@ -135,25 +135,25 @@ class Case:
         return Case(self.scene, dict(self.values) | {name: value}, self.cycles)
 
     def called(self, method: str) -> str:
-        """Return what documents of this case call a method: its generic name."""
+        """Return the name of a method in documents: its generic one, but in subclasses."""
         return method
 
     def presented(self, motion: _Motion) -> _Motion:
-        """Return an orbit of this case, exact or not, as users see it: as it is."""
+        """Return a motion as users get it: unchanged.  Subclasses add properties."""
         return motion
 
     def completed(self, document: dict[str, Any], exact: "ExactOrbit | None") -> dict[str, Any]:
-        """Return the document of an orbit that is not there with all keys of one that is."""
+        """Return the document of a missing orbit with all keys of one that is found."""
         errors = dict.fromkeys(self.own_errors) | document["errors"]
         return document | dict.fromkeys(self.own_numbers) | {"errors": errors}
 
     def none(self, method: str, order: int, tried: Sequence[str]) -> "NoOrbit | None":
-        """Return that a method has no orbit at an order, where that can be shown: nowhere."""
+        """Return a proof that a method has no orbit at an order: None, but in subclasses."""
         return None
 
     @cached_property
     def cell(self) -> Cell:
-        """The equations of its cell, in these units.
+        """The equations of its cell, in the case's units.
 
         Raises
         ------
@@ -167,12 +167,12 @@ class Case:
 
     @property
     def description(self) -> str:
-        """The parameters in one line, by their symbols, for captions."""
+        """Parameters, by their symbols, and cycles, in one line for captions."""
         text = self.described()
         return text if self.cycles == 1 else f"{text}; {self.cycles} cycles of the forcing"
 
     def described(self, but: str = "") -> str:
-        """Return the parameters in one line, by their symbols, but for one."""
+        """Return the parameters in one line, by their symbols; the one named `but` left out."""
         return ", ".join(
             f"{q.symbol} = {self.values[q.name]:.4g} {q.unit}".rstrip()
             for q in self.scene.parameters
@@ -181,7 +181,7 @@ class Case:
 
 
 def check_case(case: object) -> None:
-    """Check what is to be solved.
+    """Check that the argument of a solver is a case.
 
     Raises
     ------
@@ -193,12 +193,12 @@ def check_case(case: object) -> None:
 
 
 def index_of(case: Case, parameter: str) -> int:
-    """Return which parameter of a case has a name.
+    """Return the index of the parameter of a case that has a name.
 
     Raises
     ------
     ParameterError
-        If none has.
+        If none has it.
     """
     names = [q.name for q in case.scene.parameters]
     if parameter not in names:
@@ -208,7 +208,7 @@ def index_of(case: Case, parameter: str) -> int:
 
 
 def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
-    """Return what is wrong with the number of periods of the forcing."""
+    """Return the error in the number of periods of the forcing, if there is one."""
     whole = isinstance(cycles, Integral) and not isinstance(cycles, bool)
     if not (whole and 1 <= cycles <= MOST_CYCLES):  # type: ignore[operator]
         expected = f"a whole number from 1 to {MOST_CYCLES}"
@@ -224,7 +224,7 @@ def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
 def _checked(
     scene: "LoadedScene", given: Mapping[str, object]
 ) -> tuple[dict[str, float], list[str]]:
-    """Return the parameters in order, and what is wrong with those that are given."""
+    """Return all parameters by name, in order, and the errors in those that are given."""
     names = tuple(parameter.name for parameter in scene.parameters)
     errors = []
     for name in given:
@@ -243,11 +243,11 @@ def _checked(
 
 
 def _unmet(scene: "LoadedScene", values: Mapping[str, float]) -> list[str]:
-    """Return which of the scene's own conditions on its parameters are not met."""
-    found = scene.numbers("requires", tuple(values.values()))
+    """Return the errors of parameters that violate the scene's conditions on them."""
+    conditions = scene.numbers("requires", tuple(values.values()))
     symbols = {parameter.symbol: parameter.name for parameter in scene.parameters}
     errors = []
-    for words, value in zip(scene.module.REQUIRES, found, strict=True):
+    for words, value in zip(scene.module.REQUIRES, conditions, strict=True):
         if not value >= 0:
             named = [symbols.get(word, word) for word in words.replace(",", " ").split()]
             numbers = [f"{name} = {values[name]!r}" for name in named if name in values]

@@ -1,4 +1,4 @@
-"""The equations of one cell, in dimensionless numbers: what every other module reads."""
+"""The equations of one cell in dimensionless numbers, as all solvers read them."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, Self
 if TYPE_CHECKING:
     from .loaded import LoadedScene
 
-#: A linear form in the state: factors of x, x', of the cosine of the forcing, and a constant;
-#: where there is a memory, a factor of each of its values besides.
+#: A linear form in the state: factors of x, x' and the cosine of the forcing, a constant, then
+#: the factors of the memories, if there are any.
 Form = tuple[float, ...]
 
 
@@ -21,21 +21,21 @@ class Phase:
     Parameters
     ----------
     name : str
-        Of the scene.
+        Its name in the scene.
     m, c, k, f, g : float
-        Of the equation of motion.
+        Coefficients of the equation of motion.
     held : bool
         Whether a constraint holds the velocity, at `speed`.
     event : Form
-        Vanishes at the end of the phase, where the velocity is that before the switch.
+        Vanishes at the end of the phase, with the velocity before the switch.
     rho, d : float
         Velocity after the switch at its end: ``rho x' + d``.
     demands : tuple of (str, Form)
-        What must not be negative in the phase, with its words.
+        Forms that must not be negative in the phase, in words and numbers.
     switch_demands : tuple of (str, Form)
-        What must not be negative where it ends, before the switch.
+        Forms that must not be negative at its end, before the switch.
     memory : tuple of float
-        Factors of the values of the memory on the right side of the equation of motion.
+        Factors of the memories on the right side of the equation of motion.
     """
 
     name: str
@@ -54,7 +54,7 @@ class Phase:
     memory: tuple[float, ...] = ()
 
     def remembering(self, values: Sequence[float]) -> Self:
-        """Return the phase with numbers for the memory: its force, and forms without entries.
+        """Return the phase with values of the memories added to its force and its forms.
 
         Examples
         --------
@@ -67,49 +67,49 @@ class Phase:
         width = self.width
 
         def put(form: Form) -> Form:
-            more = sum(map(mul, form[width:], values))
-            return (*form[:3], form[3] + more, *form[4:width])
+            constant = form[3] + sum(map(mul, form[width:], values))
+            return (*form[:3], constant, *form[4:width])
 
         force = self.f + sum(map(mul, self.memory, values))
         return replace(self.with_forms(put), f=force, memory=())
 
     @property
     def width(self) -> int:
-        """Entries of a form, those of the memory left out."""
+        """Number of entries of a form without those of the memories."""
         return 4
 
     @property
     def jumps(self) -> tuple[tuple[float, float], ...]:
-        """What is left of each velocity after the switch at its end, and what is added."""
+        """``(rho, d)`` of each velocity: ``rho v + d`` after the switch at its end."""
         return ((self.rho, self.d),)
 
     @property
     def equation(self) -> tuple[object, ...]:
-        """What its equation of motion is made of."""
+        """The coefficients of its equation of motion, by which equations are compared."""
         return self.m, self.c, self.k, self.f, self.g, self.held, self.memory
 
     def cut(self) -> Self:
-        """Return the phase as one that ends where the velocity is zero, and nothing changes."""
+        """Return the phase cut where the velocity vanishes: event ``x' = 0``, no jump."""
         event = tuple(float(j == 1) for j in range(len(self.event)))
         return replace(self, event=event, rho=1.0, d=0.0, switch_demands=())
 
     def leaps(self, form: Form) -> bool:
-        """Whether a form may jump where the phase ends."""
+        """Return whether the value of a form may jump at the switch that ends the phase."""
         return (self.rho, self.d) != (1.0, 0.0) and form[1] != 0
 
     def accelerations(self, x: Any, v: Any, cosine: Any) -> tuple[Any, Any, Any]:
-        """Return what force, damper and spring make of the acceleration in a free phase."""
+        """Return the parts of the acceleration by force, damper and spring, in a free phase."""
         force = self.f + self.g * cosine
         return force / self.m, -self.c * v / self.m, -self.k * x / self.m
 
     def acceleration(self, x: Any, v: Any, cosine: Any) -> Any:
-        """Return the acceleration in a state: what the equation of motion says."""
+        """Return the acceleration in a state by the equation of motion."""
         if self.held:
             return 0.0 * v
         return (self.f + self.g * cosine - self.c * v - self.k * x) / self.m
 
     def with_forms(self, put: Callable[[Form], Form]) -> Self:
-        """Return the phase with another form in the place of each."""
+        """Return the phase with each form replaced by ``put(form)``."""
         return replace(
             self,
             event=put(self.event),
@@ -125,11 +125,11 @@ class Memory:
     Parameters
     ----------
     phase : int
-        Whose beginning sets it.
+        The phase whose begin sets it.
     power : int
         Its unit is a length over a time to this power.
     value : Form
-        What it is set to, of the state there after the switch.
+        The value it is set to, a form in the state after the switch.
     """
 
     name: str
@@ -140,25 +140,27 @@ class Memory:
 
 @dataclass(frozen=True)
 class Cell:
-    """A period, or half of one of which the other half is the mirror image.
+    """A period of the motion, or half of one whose other half is the mirror image.
 
     Parameters
     ----------
     frequency : float or None
-        Angular frequency of the forcing.
+        Angular frequency of the forcing; None without forcing.
     sign : {1, -1}
-        What the next cell is multiplied by: -1 where ``x(t + T/2) = -x(t)``.
+        The next cell is this times the cell: -1 if ``x(t + T/2) = -x(t)``.
+    k : int
+        Class C^k of the motion.
     guess : tuple of float
-        Rough durations, if the scene has them.
+        Rough durations; empty if the scene has none.
     cycles : int
-        Periods of the forcing in a period.
+        Periods of the forcing in a period of the motion.
     memory : tuple of Memory
-        What switches set.
+        Constants that switches set.
     classes : tuple of int
-        The k of the switch that begins each phase.
+        The k of the class C^k at the switch that begins each phase.
     start : Form
-        The factors of x and x' and the constant of what is zero where the first phase begins
-        on the exact orbit; empty where the scene does not say it.
+        Factors of x and x', and a constant, of a form that vanishes where the first phase of
+        the exact orbit begins; empty if the scene states none.
     """
 
     phases: tuple[Phase, ...]
@@ -172,17 +174,17 @@ class Cell:
     start: Form = ()
 
     def remembering(self, values: Sequence[float]) -> "Cell":
-        """Return the cell with numbers for the memory: one without a memory."""
+        """Return a cell without a memory, with these values put in."""
         if not self.memory:
             return self
         phases = tuple(phase.remembering(values) for phase in self.phases)
         return replace(self, phases=phases, memory=())
 
     def carrying(self, p: int) -> Phase:
-        """Return a phase whose factors of the memory are for its values as a motion has them.
+        """Return phase `p` with factors of the actual values of the memories in that phase.
 
-        Before the switch that sets a value, a phase has that of the cell before: mirrored,
-        where cells are, which `phases` already says in its factors.
+        Before the switch that sets a memory, its value is that of the cell before: `sign` times
+        that of this cell.  The factors in `phases` include this sign; those returned do not.
         """
         phase = self.phases[p]
         width, signs = phase.width, [self.sign if p < each.phase else 1 for each in self.memory]
@@ -193,23 +195,23 @@ class Cell:
         return replace(phase.with_forms(put), memory=tuple(map(mul, phase.memory, signs)))
 
     def place(self, p: int) -> float | None:
-        """Return the displacement at which a phase is held; None where it is not at one alone.
+        """Return the displacement at which phase `p` rests; None if it is not known in advance.
 
-        It is where the phase is at rest, and the phase before it ends at a displacement.
+        It is known if the event of the phase before is ``x = constant``.
         """
         ex, ev, ec, constant, *memory = self.phases[p - 1].event
         phase, sign = self.phases[p], self.sign if p == 0 else 1
-        alone = ex != 0 and not (ev or ec or any(memory))
-        return -sign * constant / ex if alone and phase.held and phase.speed == 0 else None
+        known = ex != 0 and not (ev or ec or any(memory))
+        return -sign * constant / ex if known and phase.held and phase.speed == 0 else None
 
     @property
     def forced(self) -> bool:
-        """Whether the phase of a forcing is unknown, and the duration of the cell known."""
+        """Whether it is forced: its duration is known, the phase of the forcing is unknown."""
         return self.frequency is not None
 
     @property
     def cells(self) -> int:
-        """Cells in a period."""
+        """Number of cells in a period."""
         return 1 if self.sign > 0 else 2
 
     @property
@@ -219,7 +221,7 @@ class Cell:
 
     @property
     def duration(self) -> float:
-        """Duration of the cell, if the forcing makes it known."""
+        """Duration of the cell, which the forcing prescribes."""
         if self.frequency is None:
             raise ValueError("the duration of a cell without forcing is unknown")
         return self.cycles * 2 * math.pi / self.frequency / self.cells
@@ -240,7 +242,7 @@ def cell_of(scene: "LoadedScene", numbers: tuple[float, ...], cycles: int = 1) -
 def fields_of_phases(
     scene: "LoadedScene", numbers: tuple[float, ...]
 ) -> Iterator[dict[str, Any]]:
-    """Yield what a phase has beside its equation: name, event, jump, demands."""
+    """Yield the fields of each `Phase` besides its equation: name, event, jump, demands."""
     module = scene.module
     rows = zip(
         scene.kinds,
@@ -265,7 +267,7 @@ def fields_of_phases(
 
 
 def fields_of_cell(scene: "LoadedScene", numbers: tuple[float, ...]) -> dict[str, Any]:
-    """Return what a cell has beside its phases, of one cycle of the forcing."""
+    """Return the fields of a `Cell` besides its phases, for one cycle of the forcing."""
     names = [parameter.name for parameter in scene.parameters]
     values = scene.numbers("memory", numbers)
     return {
@@ -289,4 +291,5 @@ def form_of(row: Sequence[float]) -> Form:
 def _with_words(
     words: Sequence[str], rows: Sequence[Sequence[float]]
 ) -> tuple[tuple[str, Form], ...]:
+    """Return forms, each with its words."""
     return tuple(zip(words, map(form_of, rows), strict=True))

@@ -1,7 +1,7 @@
-"""The class at each switch for the parameters of a case: higher than in general, for some.
+"""The class C^k at each switch for the parameters of a case, which may exceed the generic one.
 
-As in ``codegen/scene/smoothness.py``, with numbers put in: a derivative jumps at a switch
-unless its jump is a combination of the forms known to vanish there.
+As in ``codegen/scene/smoothness.py``, in numbers: a derivative jumps at a switch unless its
+jump is a linear combination of the forms that vanish there.
 """
 
 import numpy as np
@@ -11,10 +11,10 @@ from ..bodies.laws import lawful
 from .bodies.cell import BodyCell
 from .cell import Cell, Phase
 
-#: Derivatives that are looked at: one that is smoother is not told from one without switch.
+#: Highest class that is told apart: a smoother switch counts as none.
 HIGHEST = 8
 
-#: What is rounding, as a part of what is subtracted.
+#: Jumps below this, relative to the two sides, are rounding.
 ROUNDING = 1e-10
 
 
@@ -26,68 +26,74 @@ def classes(cell: Cell) -> tuple[int, ...]:
 
 
 def _class(cell: Cell, p: int) -> int:
-    """Return the k at the switch that begins phase `p`, in the frame behind it."""
+    """Return the k at the switch that begins phase `p`, in the signs of the cell after it."""
     left, sign = (p - 1) % len(cell.phases), cell.sign if p == 0 else 1
     if any(jump != (1.0, 0.0) for jump in cell.phases[left].jumps):
         return 0
-    A, row, seen = _side(cell, left, sign)
-    A_after, row_after, seen_after = _side(cell, p, 1)
-    known = [np.array(cell.phases[left].event) @ seen]
-    for phase, of in ((cell.phases[left], seen), (cell.phases[p], seen_after)):
+    A, rows, signals = _side(cell, left, sign)
+    A_after, rows_after, signals_after = _side(cell, p, 1)
+    vanishing = [np.array(cell.phases[left].event) @ signals]
+    for phase, of in ((cell.phases[left], signals), (cell.phases[p], signals_after)):
         if phase.held:
-            known.append(of[1] - phase.speed * of[3])
+            vanishing.append(of[1] - phase.speed * of[3])
     place = cell.place(left)
     if place is not None:
-        known.append(seen[0] - place * seen[3])
-    for memory, value in zip(cell.memory, seen_after[cell.phases[p].width :], strict=True):
+        vanishing.append(signals[0] - place * signals[3])
+    for memory, value in zip(cell.memory, signals_after[cell.phases[p].width :], strict=True):
         if memory.phase == p:
-            known.append(np.array(memory.value) @ seen_after[: len(memory.value)] - value)
+            vanishing.append(
+                np.array(memory.value) @ signals_after[: len(memory.value)] - value
+            )
     for order in range(1, HIGHEST):
-        for one, other in zip(row, row_after, strict=True):
-            size = np.abs(one).max() + np.abs(other).max()
-            if _left_over(other - one, np.array(known)) > ROUNDING * max(size, 1e-300):
+        for before, after in zip(rows, rows_after, strict=True):
+            size = np.abs(before).max() + np.abs(after).max()
+            if _residual(after - before, np.array(vanishing)) > ROUNDING * max(size, 1e-300):
                 return order
-        row, row_after = row @ A, row_after @ A_after
+        rows, rows_after = rows @ A, rows_after @ A_after
     return HIGHEST
 
 
 def _side(cell: Cell, q: int, sign: int) -> tuple[Matrix, Matrix, Matrix]:
-    """Return ``A`` of ``Y' = A Y`` in a phase, and rows over Y; the motion times `sign`.
+    """Return the matrix A of ``Y' = A Y`` in phase `q`, and two sets of rows over Y.
 
-    Rows are of the acceleration of one mass, or of the contact forces on a body, and of what
-    forms are of.  Y is that of `generator`; of a body it is ``(y, cos, sin, 1, memory)``, with
-    y of all modes.  The memory is that of the cell.
+    The first rows give the acceleration of one mass, or the contact forces on a body; the
+    second give the signals of which forms are linear combinations.  Y is that of `generator`;
+    of a body it is ``(y, cos, sin, 1, memory)``, with y of all modes.  All are for `sign` times
+    the motion, and for the memory of the cell.
     """
-    phase, more = cell.phases[q], len(cell.memory)
+    phase, memories = cell.phases[q], len(cell.memory)
     if not isinstance(cell, BodyCell):
         A = generator(cell, phase, sign)
-        seen = np.delete(np.diag([sign, sign, 1.0, sign, 0.0, *[1.0] * more]), 4, axis=0)
-        return A, A[1:2], seen[[0, 1, 3, 2, *range(4, 4 + more)]]
-    own = lawful(cell, q)
-    states = len(own.A)
+        signals = np.delete(np.diag([sign, sign, 1.0, sign, 0.0, *[1.0] * memories]), 4, axis=0)
+        return A, A[1:2], signals[[0, 1, 3, 2, *range(4, 4 + memories)]]
+    system = lawful(cell, q)
+    states = len(system.A)
     signs = [cell.sign if q < each.phase else 1 for each in cell.memory]
-    put = np.array([*[1] * (states + 2), sign, *(sign * q for q in signs)])
-    A = np.zeros((len(put), len(put)))
-    A[:states] = np.hstack([own.A, own.inputs])
+    column_signs = np.array([*[1] * (states + 2), sign, *(sign * s for s in signs)])
+    A = np.zeros((len(column_signs), len(column_signs)))
+    A[:states] = np.hstack([system.A, system.inputs])
     A[states, states + 1], A[states + 1, states] = -cell.omega, cell.omega
-    seen = own.rows * put
-    seen[phase.width :, states + 3 :] = sign * np.eye(more)
-    return A * put, own.force * put, seen
+    signals = system.rows * column_signs
+    signals[phase.width :, states + 3 :] = sign * np.eye(memories)
+    return A * column_signs, system.force * column_signs, signals
 
 
 def generator(cell: Cell, phase: Phase, sign: int) -> Matrix:
-    """Return ``A`` of ``y' = A y`` with ``y = (x, x', 1, cos, sin, memory)``."""
+    """Return the matrix A of ``y' = A y`` with ``y = (x, x', 1, cos, sin, memory)``.
+
+    The motion is `sign` times that of the phase.
+    """
     count = 5 + len(cell.memory)
-    found = np.zeros((count, count))
-    found[0, 1] = 1.0
+    A = np.zeros((count, count))
+    A[0, 1] = 1.0
     factors = [-phase.k, -phase.c, sign * phase.f, phase.g, 0.0]
-    found[1] = np.array([*factors, *(sign * h for h in phase.memory)]) / phase.m
-    found[3, 4], found[4, 3] = -cell.omega, cell.omega
-    return found
+    A[1] = np.array([*factors, *(sign * h for h in phase.memory)]) / phase.m
+    A[3, 4], A[4, 3] = -cell.omega, cell.omega
+    return A
 
 
-def _left_over(row: Vector, known: Matrix) -> float:
-    """Return the size of what no combination of the known rows accounts for."""
-    scaled = known / np.abs(known).max(axis=1, keepdims=True)
+def _residual(row: Vector, basis: Matrix) -> float:
+    """Return the maximum norm of a row less its best combination of the rows of a basis."""
+    scaled = basis / np.abs(basis).max(axis=1, keepdims=True)
     weights = np.linalg.lstsq(scaled.T, row)[0]
     return float(np.abs(row - weights @ scaled).max())

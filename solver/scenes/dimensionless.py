@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 class UnitsError(ValueError):
-    """A unit, or a parameter in it, is beyond float64."""
+    """A unit of a case, or a parameter in it, is out of range of float64."""
 
 
 @dataclass(frozen=True)
 class Units:
-    """Units of a case in SI: kg, s, m."""
+    """Units of a case: mass in kg, time in s, length in m."""
 
     mass: float
     time: float
@@ -30,7 +30,7 @@ class Units:
         return product_of_powers(self.length, (self.time, -derivative))
 
     def of_parameter(self, powers: "Powers") -> float:
-        """Return the unit of a parameter with such powers of mass, length and time."""
+        """Return the unit of a parameter with these powers of mass, length and time."""
         return _in_units(1.0, tuple(-p for p in powers), (self.mass, self.length, self.time))
 
 
@@ -43,16 +43,16 @@ def units_of(
 ) -> tuple[Units, tuple[float, ...]]:
     """Return the units of a case, and its parameters in them.
 
-    The scene's formulas for its units may pass beyond float64 on the way, so they are
-    evaluated in units of powers of 4 in which the parameters are near 1: whole powers of these
-    and their roots change no digit.
+    The scene's formulas for its units may overflow on the way.  So they are evaluated in units
+    that are powers of 4 in which the parameters are near 1: integer powers of these and their
+    square roots change no digit.
 
     Raises
     ------
     UnitsError
         Naming the unit or the parameter, and its value.
     """
-    rough: Powers = (1.0, 1.0, 1.0)  # matrices in SI units are in the formulas of a body
+    rough: Powers = (1.0, 1.0, 1.0)  # of a body, whose formulas have matrices in SI units
     if not scene.has_body:
         rough = _powers_of_four(scene.powers, values)
     near = tuple(map(lambda v, p: _in_units(v, p, rough), values, scene.powers))
@@ -72,7 +72,7 @@ def units_of(
 
 
 def _powers_of_four(powers: tuple[Powers, ...], values: tuple[float, ...]) -> Powers:
-    """Return units of mass, length and time, powers of 4, that bring values nearest to 1."""
+    """Return powers of 4 as units of mass, length and time in which values are nearest to 1."""
     known = [(p, math.log2(abs(v))) for p, v in zip(powers, values, strict=True) if v]
     rows = np.array([p for p, _ in known], dtype=float).reshape(-1, 3)
     exponents, *_ = np.linalg.lstsq(rows, np.array([size for _, size in known]))
@@ -85,6 +85,6 @@ def _in_units(value: float, powers: Sequence[float], units: Powers) -> float:
     whole = [math.floor(power) for power in powers]
     factors = [(unit, -power) for unit, power in zip(units, whole, strict=True)]
     for unit, power, below in zip(units, powers, whole, strict=True):
-        if power != below:  # between 0 and 1: no overflow
+        if power != below:  # a fractional power does not overflow
             factors.append((unit ** (power - below), -1))
     return product_of_powers(value, *factors)

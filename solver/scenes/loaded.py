@@ -1,4 +1,4 @@
-"""A generated scene as an object: what it is, and the parameters that make it a case."""
+"""A generated scene as an object: its name, parameters and motions; called, it makes a case."""
 
 import hashlib
 import sys
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .dimensionless import Units
 
 
-#: The module of a folder that holds a scene.
+#: Name of the module of a scene in its folder.
 SCENE = "scene"
 
 #: Generated modules that were loaded, by path and hash of the text.
@@ -26,7 +26,7 @@ _LOADED: dict[tuple[Path, str], types.ModuleType] = {}
 
 
 class UnknownScene(ValueError):  # noqa: N818  (named like the other errors of the package)
-    """There is no scene, or no method of a scene, of the name that was given."""
+    """No scene, or no method of a scene, has the name that was given."""
 
 
 @dataclass(frozen=True)
@@ -36,11 +36,11 @@ class Parameter:
     Parameters
     ----------
     name, symbol, unit, what : str
-        What flags call it, what equations call it, its SI unit, what it is.
+        Name in code and flags, symbol in equations, SI unit, description.
     default : float
         In SI units.
     bound : {"positive", "nonnegative", ""}
-        What its sign must be.
+        Restriction of its sign.
     most : float or None
         The largest value allowed.
     """
@@ -55,23 +55,23 @@ class Parameter:
 
     @property
     def expected(self) -> str:
-        """What a value must be, in words."""
+        """The values allowed, in words."""
         words = {"positive": "a positive number", "nonnegative": "a number not below 0"}
         low = words.get(self.bound, "a finite number")
         return low if self.most is None else f"{low}, at most {self.most:g}"
 
     def allows(self, value: float) -> bool:
-        """Whether a finite value is within the bounds."""
+        """Return whether a finite value is allowed."""
         low = value > 0 if self.bound == "positive" else self.bound == "" or value >= 0
         return low and (self.most is None or value <= self.most)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LoadedScene:
-    """A scene in numbers: its generated module ``scene.py``.
+    """A scene that was loaded from its generated module ``scene.py``.
 
-    Calling it makes a case: ``scene(mass=2.0)``; what is not given has its default.  A scene
-    of several motions has a folder for each, which is a scene of one motion.
+    Calling it makes a case: ``scene(mass=2.0)``, with defaults for the other parameters.  A
+    scene of several motions has a folder for each, which is a scene of one motion.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ class LoadedScene:
     folder : Path
         Where the module lies, and those of several motions.
     kept : mapping of str to bytes, optional
-        What was read of it, and is used in place of the files; see `sealed`.
+        Content of its files, used in place of the files themselves; see `sealed`.
     """
 
     module: types.ModuleType
@@ -90,12 +90,12 @@ class LoadedScene:
     def __call__(self, *, cycles: int = 1, **values: object) -> "Case":
         """Return the case of these parameters, in SI units.
 
-        `cycles` is how many periods of the forcing the period of the motion is.
+        `cycles` is the number of periods of the forcing in one period of the motion.
 
         Raises
         ------
         ParameterError
-            Naming everything that is wrong with them.
+            Naming every error in them.
         """
         from .case import Case  # noqa: PLC0415  (NumPy: a list of scenes needs none)
 
@@ -119,28 +119,28 @@ class LoadedScene:
 
     @property
     def name(self) -> str:
-        """What users call it."""
+        """Its name for users."""
         return str(self.module.NAME)
 
     @property
     def motions(self) -> tuple[str, ...]:
-        """The names of its motions, orders of phases, where there are several."""
+        """The names of its motions (orders of phases); empty if there is only one."""
         return tuple(self.module.MOTIONS)
 
     @property
     def motion(self) -> str | None:
-        """Which of several motions it is, if it is one of them."""
+        """Its name among several motions of a scene; None if there is only one."""
         name: str | None = self.module.MOTION
         return name
 
     @property
     def label(self) -> str:
-        """Its name, and that of the motion where there are several."""
+        """Its name, and that of its motion if there are several."""
         return f"{self.name}, {self.motion}" if self.motion else self.name
 
     @property
     def title(self) -> str:
-        """What it is."""
+        """Its description in one line."""
         return str(self.module.TITLE)
 
     @property
@@ -170,7 +170,7 @@ class LoadedScene:
 
     @property
     def memory(self) -> tuple[tuple[str, int, int, str], ...]:
-        """Of each memory its name, the phase that sets it, a power of 1/time, what it is."""
+        """Name, phase that sets it, power of 1/time in its unit, and meaning of each memory."""
         return tuple(self.module.MEMORY)
 
     @property
@@ -185,24 +185,24 @@ class LoadedScene:
 
     @property
     def has_start(self) -> bool:
-        """Whether it says in which state its first phase begins."""
+        """Whether it states a condition on the state in which its first phase begins."""
         return hasattr(self.module, "start")
 
     @property
     def phases(self) -> tuple[str, ...]:
-        """The names of the phases of its cell; of several motions, of any of them."""
+        """The names of the phases of its cell, or of all its motions without repetition."""
         if not self.motions:
             return tuple(name for name, _ in self.kinds)
-        found = (name for motion in self.each_motion for name in motion.phases)
-        return tuple(dict.fromkeys(found))
+        names = (name for motion in self.each_motion for name in motion.phases)
+        return tuple(dict.fromkeys(names))
 
     @property
     def each_motion(self) -> "tuple[LoadedScene, ...]":
-        """Its motions, each as a scene; itself if there is one."""
+        """Its motions, each as a scene; itself if it has only one."""
         return tuple(map(self.of_motion, self.motions)) or (self,)
 
     def of_motion(self, name: object) -> "LoadedScene":
-        """Return the scene with one of its motions alone.
+        """Return one of its motions as a scene.
 
         Raises
         ------
@@ -223,7 +223,7 @@ class LoadedScene:
 
     @property
     def fullest(self) -> "LoadedScene":
-        """Its motion with the most phases: of these are the orders that it does not declare."""
+        """Its motion with the most phases, from which undeclared orders of phases are made."""
         return max(self.each_motion, key=lambda each: len(each.phases))
 
     @property
@@ -234,10 +234,10 @@ class LoadedScene:
     def cell(
         self, numbers: tuple[float, ...], cycles: int = 1, units: "Units | None" = None
     ) -> "Cell":
-        """Return the cell of a scene of one motion for parameters in some units.
+        """Return the cell of a scene of one motion for parameters in given units.
 
-        Matrices of a body are in SI units: without `units` its cell has the scene's laws, and
-        another body.
+        The matrices of a body are in SI units: without `units` its cell has the scene's laws,
+        but a stand-in for the body.
         """
         if self.has_body:
             from .bodies.cell import body_cell  # noqa: PLC0415  (SciPy)
@@ -249,24 +249,24 @@ class LoadedScene:
 
     @property
     def frequency(self) -> str | None:
-        """The parameter that is the angular frequency of the forcing, if it is forced."""
+        """Name of the parameter that is the forcing's angular frequency; None without one."""
         name: str | None = self.module.FREQUENCY
         return name
 
     def numbers(self, function: str, values: Sequence[float]) -> Any:
-        """Return what a function of the module says of parameters; without one, nothing."""
-        found = getattr(self.module, function, None)
-        return () if found is None else found(*values)
+        """Return the value of a function of the module for parameters; () without one."""
+        evaluate = getattr(self.module, function, None)
+        return () if evaluate is None else evaluate(*values)
 
 
 def load_folder(folder: str | Path, kept: Kept | None = None) -> LoadedScene:
-    """Return the scene whose generated modules lie in `folder`, anywhere.
+    """Return the scene whose generated modules lie in `folder`.
 
     Parameters
     ----------
     folder : str or Path
     kept : mapping of str to bytes, optional
-        What was read of it; without it, a folder that is sealed is read and checked here.
+        Content of its files; without it, a sealed folder is read and checked here.
 
     Raises
     ------
@@ -283,10 +283,9 @@ def load_folder(folder: str | Path, kept: Kept | None = None) -> LoadedScene:
 
 
 def _module_of(path: Path, kept: Kept | None = None) -> types.ModuleType:
-    """Return the module of a file; a file that has changed is another module.
+    """Return the module of a file, loaded anew if its text has changed.
 
-    Of what was read of its folder before, `kept`, if that is given: then the files themselves
-    are not looked at.
+    The text is taken from `kept`, if given, and not from the file.
     """
     text = path.read_bytes() if kept is None else kept[path.name]
     key = path, hashlib.sha256(text).hexdigest()

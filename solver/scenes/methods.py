@@ -1,4 +1,4 @@
-"""What is known of methods beside their kernels: names, convergence, looks."""
+"""Facts about methods besides their kernels: names, convergence, style of curves."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -9,39 +9,40 @@ from typing import Any
 from ...generated import methods as generated
 from .loaded import LoadedScene
 
-#: The method that is meant where none is named, and what the files of all say of them.
+#: The default method, and the facts that the files of all expansions state.
 FIRST, METHODS = generated.FIRST, generated.METHODS
 
-#: What the way by the exact flow is called where methods are.
+#: Name of the exact solution among those of methods.
 EXACT = "exact"
 
-#: Stands for the class C^k in the generic name of a method.
+#: Part of a method's generic name that stands for the class C^k.
 CLASS = "ck"
 
-#: What stands there of functions of class C^1, where the scene is smoother.
+#: The same part for functions of class C^1 in a scene that is smoother.
 CLASS_ONE = CLASS.replace("k", "1")
 
 
 @dataclass(frozen=True)
 class About:
-    """What the file of an expansion says of it.
+    """Facts that the file of an expansion states.
 
     Parameters
     ----------
     look : dict
-        Of its curve in pictures: colour, marker, line.
+        Style of its curve in pictures: colour, marker, line.
     power : bool
-        Whether its errors fall as a power of the order; else by a factor with each order.
+        Whether its errors fall like a power of the order; else geometrically.
     kernel : str
-        The generated module of its kernel; empty of a method without a record.
+        Name of the generated module of its kernel; empty for a method without a record.
     unseen : tuple of int
-        How many polynomials its tests do not see on a phase, by its class; empty if none.
+        Number of polynomials on a phase, by its class, to which its test functions are
+        orthogonal; empty if there are none.
     functions : tuple of int
-        How many functions beside the harmonics it may have at a switch; empty if it has none.
+        Allowed numbers of functions added to the harmonics at a switch; empty if not variable.
     alone : bool
-        Whether it is made for some scenes alone.
+        Whether it is made for certain scenes only.
     bodies : bool
-        Whether there is one of contact forces, for bodies of several degrees of freedom.
+        Whether it exists as an expansion of contact forces on bodies.
     is_series : bool
         Whether it is one series over the period, and not a polynomial on each phase.
     """
@@ -58,13 +59,13 @@ class About:
 
 
 def about(method: str) -> About:
-    """Return what is known of a method by its generic name; little of one without a record."""
+    """Return the facts about a method by its generic name; defaults without a record."""
     look: dict[str, Any] = {"color": "0.5", "marker": "x", "linestyle": "--"}
     look |= {"title": method} | METHODS.get(without_class(method), {})
-    own = {name: look.pop(name) for name in About.__annotations__ if name in look}
+    fields = {name: look.pop(name) for name in About.__annotations__ if name in look}
     if not look.pop("filled", True):
         look["markerfacecolor"] = "white"
-    return About(look=look, **own)
+    return About(look=look, **fields)
 
 
 def module_of(method: str) -> ModuleType:
@@ -73,14 +74,14 @@ def module_of(method: str) -> ModuleType:
 
 
 def in_order(methods: Iterable[str]) -> tuple[str, ...]:
-    """Return methods in the order in which they are told; one without a record comes last."""
+    """Return methods in the order of their records; those without a record come last."""
     known = [*METHODS]
     place = {method: i for i, method in enumerate(known)}
     return tuple(sorted(methods, key=lambda m: (place.get(without_class(m), len(known)), m)))
 
 
 def methods(scene: LoadedScene) -> tuple[str, ...]:
-    """Return the methods that there are for a scene, by their generic names."""
+    """Return the generic names of the methods available for a scene."""
     facts: dict[str, dict[str, Any]] = METHODS
     if scene.has_body:
         return tuple(sorted(q for q in facts if facts[q]["bodies"]))
@@ -91,15 +92,14 @@ def methods(scene: LoadedScene) -> tuple[str, ...]:
 def shown(scene: LoadedScene, method: str) -> str:
     """Return the name of a method with the class of a scene: ``c0-tau`` for ``ck-tau``.
 
-    The generic name where the scene has another method of that name: ``hb-ck`` beside the
-    ``hb-c1`` of the paper.
+    The generic name remains if another method has that name: ``hb-ck`` beside ``hb-c1``.
     """
     name = method.replace(CLASS, f"c{scene.k}")
     return method if name in methods(scene) else name
 
 
 def generic(scene: LoadedScene, name: str) -> str:
-    """Return the generic name of a method that may be spelled with the class of a scene."""
+    """Return the generic name of a method whose name may have the class of a scene."""
     name = name.replace("_", "-")
     if name in methods(scene):
         return name
@@ -112,7 +112,7 @@ def with_class_one(method: str) -> str:
 
 
 def without_class(method: str) -> str:
-    """Return the generic name of a method that may be one with functions of class C^1.
+    """Return the generic name of a method, undoing `with_class_one`.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Mirror images of phases, and forms that say the same."""
+"""Mirror images of phases, and equivalence of forms."""
 
 from dataclasses import replace
 
@@ -7,28 +7,29 @@ import numpy as np
 from .bodies.cell import BodyPhase
 from .cell import Form, Phase
 
-#: What may be rounding of the factors of a form, as a part of each.
+#: Largest relative difference of factors of forms that is rounding.
 ROUNDING = 1e-12
 
 
 def mirror(phase: Phase) -> Phase:
-    """Return the mirror image of a phase: the motion ``-x`` half a period of the forcing on."""
-    there = phase.with_forms(_mirrored)
-    there = replace(there, f=-phase.f, speed=-phase.speed, d=-phase.d)
-    if isinstance(there, BodyPhase):
-        there = replace(there, jumps=tuple((rho, -d) for rho, d in there.jumps))
-    return there
+    """Return the phase of the motion ``-x``, half a period of the forcing later."""
+    image = phase.with_forms(_mirrored)
+    image = replace(image, f=-phase.f, speed=-phase.speed, d=-phase.d)
+    if isinstance(image, BodyPhase):
+        image = replace(image, jumps=tuple((rho, -d) for rho, d in image.jumps))
+    return image
 
 
 def _mirrored(form: Form) -> Form:
+    """Return a form of the mirror image: all signs change but that of the constant."""
     x, v, cos, constant, *others = form
     return -x, -v, -cos, constant, *(-factor for factor in others)
 
 
 def same(one: Form, other: Form) -> bool:
-    """Whether two forms vanish at the same states: their factors are in one proportion.
+    """Return whether two forms vanish at the same states: they are proportional.
 
-    Each factor counts, however small it is beside the others.
+    Each factor is compared relative to its own size, however small.
 
     Examples
     --------
@@ -50,7 +51,7 @@ def same(one: Form, other: Form) -> bool:
 
 
 def is_image(one: Phase, other: Phase) -> bool:
-    """Whether a phase without a memory is the mirror image of another."""
+    """Return whether two phases without a memory are mirror images of each other."""
 
     def numbers(q: Phase) -> tuple[object, ...]:
         return q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.jumps
@@ -58,13 +59,13 @@ def is_image(one: Phase, other: Phase) -> bool:
     def laws(q: Phase) -> tuple[Form, ...]:
         return (q.event, *q.laws) if isinstance(q, BodyPhase) else (q.event,)
 
-    there = mirror(one)
-    alike = numbers(there) == numbers(other) and all(map(same, laws(there), laws(other)))
-    forms, others = ([form for _, form in q.demands] for q in (there, other))
+    image = mirror(one)
+    alike = numbers(image) == numbers(other) and all(map(same, laws(image), laws(other)))
+    forms, others = ([form for _, form in q.demands] for q in (image, other))
     demands = all(any(_demand_the_same(a, b) for b in others) for a in forms)
     return alike and demands and len(forms) == len(others) and not (one.memory or other.memory)
 
 
 def _demand_the_same(one: Form, other: Form) -> bool:
-    """Whether two forms are not negative at the same states."""
+    """Return whether two forms are nonnegative at the same states."""
     return same(one, other) and all(a * b >= 0 for a, b in zip(one, other, strict=True))

@@ -1,9 +1,8 @@
 """Orders of phases that a scene does not declare, each as a scene of one motion.
 
-An order is a list of phases of a scene, as they are or mirrored.  Each ends by its own event: a
-phase that may end in two ways stands in the scene twice, with another event, or its mirror
-image is the same with another event.  The list is a period or, where the other half is the
-mirror image, half of one.
+An order is a list of phases of a scene, each as declared or mirrored, that makes a period or
+half of an antisymmetric one.  Each phase ends by its own event.  A phase that may end in two
+ways is declared twice with different events, or has a mirror image that differs in its event.
 """
 
 from collections.abc import Sequence
@@ -19,18 +18,18 @@ from .loaded import LoadedScene, UnknownScene
 from .mirror import is_image, mirror
 from .parameter_error import ParameterError
 
-#: Behind the phases of half a period, of which the other half is the mirror image.
+#: Last word in the name of an order whose other half is the mirror image.
 MIRRORED = "mirrored"
 
 
 class Step(NamedTuple):
-    """One phase of an order: which of the scene's cell, and whether it is mirrored."""
+    """One phase of an order: its index in the scene's cell, and whether it is mirrored."""
 
     phase: int
     mirrored: bool = False
 
     def called(self, names: Sequence[str]) -> str:
-        """Return the name of the phase, by those of all, with a minus if it is mirrored."""
+        """Return the phase's name among `names` of the cell, with a minus if mirrored."""
         return f"{'-' * self.mirrored}{names[self.phase]}"
 
 
@@ -38,7 +37,7 @@ class Step(NamedTuple):
 class Order:
     """An order of phases: the steps of one cell of the motion.
 
-    Of `half_period` the next cell is the mirror image of this one.
+    If `half_period`, the next cell is the mirror image of this one.
     """
 
     steps: tuple[Step, ...]
@@ -49,20 +48,20 @@ def image(cell: Cell, step: Step) -> Step | None:
     """Return the mirror image of a phase of a cell; None if the cell has none."""
     if cell.sign < 0:
         return Step(step.phase, not step.mirrored)
-    one = cell.phases[step.phase]
-    found = (q for q, other in enumerate(cell.phases) if is_image(one, other))
-    return next(map(Step, found), None)
+    phase = cell.phases[step.phase]
+    images = (q for q, other in enumerate(cell.phases) if is_image(phase, other))
+    return next(map(Step, images), None)
 
 
 def pairs(cell: Cell, order: Order) -> list[tuple[Step, Step | None]]:
-    """Return each phase of an order, and the one that follows it."""
+    """Return each phase of an order with the phase that follows it in the motion."""
     first = order.steps[0]
     after = image(cell, first) if order.half_period else first
     return list(zip(order.steps, (*order.steps[1:], after), strict=True))
 
 
 def half_if_mirrored(cell: Cell, order: Order) -> Order:
-    """Return half of an order of phases whose other half is its image; else the order.
+    """Return the first half of an order if the other half is its mirror image; else the order.
 
     Examples
     --------
@@ -79,10 +78,7 @@ def half_if_mirrored(cell: Cell, order: Order) -> Order:
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class OrderedScene(LoadedScene):
-    """A scene whose motion has its phases in another order than those that are declared.
-
-    They are those of `base`, a scene of one motion.
-    """
+    """A scene of one motion with the phases of `base`, another one, in an undeclared order."""
 
     base: LoadedScene
     order: Order
@@ -105,7 +101,7 @@ class OrderedScene(LoadedScene):
 
     @property
     def fullest(self) -> LoadedScene:
-        """The motion of which the phases are."""
+        """The motion whose phases these are."""
         return self.base
 
     @property
@@ -120,24 +116,24 @@ class OrderedScene(LoadedScene):
 
     @property
     def has_start(self) -> bool:
-        """No: what is known of a start is of the declared order."""
+        """False: the condition of a start holds for the declared order only."""
         return False
 
     @property
     def phases(self) -> tuple[str, ...]:
         """The names of the phases of its cell."""
-        return tuple(phase.name for phase in self._in_general.phases)
+        return tuple(phase.name for phase in self._generic_cell.phases)
 
     @property
     def kinds(self) -> tuple[tuple[str, bool], ...]:
-        """Name of each phase, which it has alone, and whether a constraint holds it."""
-        held = (phase.held for phase in self._in_general.phases)
+        """Unique name of each phase, and whether a constraint holds its velocity."""
+        held = (phase.held for phase in self._generic_cell.phases)
         return tuple(zip(numbered(self.phases), held, strict=True))
 
     @property
     def classes(self) -> tuple[int, ...]:
         """The k of the switch that begins each phase."""
-        return self._in_general.classes
+        return self._generic_cell.classes
 
     @property
     def k(self) -> int:
@@ -146,38 +142,38 @@ class OrderedScene(LoadedScene):
 
     @property
     def memory(self) -> tuple[tuple[str, int, int, str], ...]:
-        """What its switches set, each time that they do."""
+        """One memory for each switch that sets one, as in `LoadedScene.memory`."""
         steps = self.order.steps
-        what = [q[3] for q in self.base.memory for step in steps if step.phase == q[1]]
+        meanings = [q[3] for q in self.base.memory for step in steps if step.phase == q[1]]
         return tuple(
-            (q.name, q.phase, q.power, words)
-            for q, words in zip(self._in_general.memory, what, strict=True)
+            (q.name, q.phase, q.power, meaning)
+            for q, meaning in zip(self._generic_cell.memory, meanings, strict=True)
         )
 
     def remembered(self, values: Sequence[float], p: int) -> tuple[float, ...]:
-        """Return the memory of the declared cell on a phase of this one, from its own."""
+        """Return the memories of the declared cell on phase `p`, from those of this cell."""
         columns = _columns([phase for _, phase, *_ in self.base.memory], self.order, p)
         return tuple(sign * values[column] for column, sign in columns)
 
     @cached_property
-    def _in_general(self) -> Cell:
-        """Its cell for parameters of which nothing is special."""
+    def _generic_cell(self) -> Cell:
+        """Its cell for generic parameters, with the classes at its switches."""
         numbers = tuple(0.4 + 0.4 * (0.618034 * i % 1) for i in range(len(self.parameters)))
-        found = in_cell(self.base.cell(numbers), self.order)
-        found = replace(found, classes=classes(found))
-        for p, k in enumerate(found.classes):
+        cell = in_cell(self.base.cell(numbers), self.order)
+        cell = replace(cell, classes=classes(cell))
+        for p, k in enumerate(cell.classes):
             if k == HIGHEST:
-                one, other = found.phases[p - 1].name, found.phases[p].name
+                one, other = cell.phases[p - 1].name, cell.phases[p].name
                 raise UnknownScene(
                     f"phases: got {self.motion}, but nothing changes where {one} ends and "
                     f"{other} begins"
                 )
-        return found
+        return cell
 
     def cell(
         self, numbers: tuple[float, ...], cycles: int = 1, units: Units | None = None
     ) -> Cell:
-        """Return its cell for parameters in some units; see `LoadedScene.cell`.
+        """Return its cell for parameters in given units; see `LoadedScene.cell`.
 
         Raises
         ------
@@ -188,12 +184,12 @@ class OrderedScene(LoadedScene):
         if self.half_period and not is_odd(declared):
             problem = f"parameters: the mirror image of {self.motion} is no motion for these"
             raise ParameterError([problem])
-        found = in_cell(declared, self.order)
-        return replace(found, classes=self.classes, k=self.k, cycles=cycles)
+        cell = in_cell(declared, self.order)
+        return replace(cell, classes=self.classes, k=self.k, cycles=cycles)
 
 
 def declared_as(base: LoadedScene, order: Order) -> LoadedScene | None:
-    """Return the motion of a scene that declares an order of the phases of one, if one does."""
+    """Return the declared motion of a scene whose phases have this order; None without one."""
     names = [step.called(base.phases) for step in order.steps]
     every = (q for q in base.whole.each_motion if q.half_period == order.half_period)
     return next((q for q in every if [*q.phases] == names), None)
@@ -210,53 +206,54 @@ def declared_order(cell: Cell) -> Order:
 
 
 def in_cell(cell: Cell, order: Order) -> Cell:
-    """Return a cell with its phases in another order; its classes are not known."""
-    at = [each.phase for each in cell.memory]
-    places = [(step, tuple(_columns(at, order, p))) for p, step in enumerate(order.steps)]
-    memory = [
-        _set_by(cell.memory[i], _begun_mirrored(cell, order, p), p)
-        for i, p in _settings(at, order)
-    ]
+    """Return a cell with its phases in another order, without classes.
+
+    Each phase of the order that sets a memory has a memory of its own.
+    """
+    setters = [memory.phase for memory in cell.memory]
+    places = [(q, tuple(_columns(setters, order, p))) for p, q in enumerate(order.steps)]
+    mirrored = [_begins_mirrored(cell, order, p) for p in range(len(order.steps))]
+    memory = [_set_in(p, cell.memory[i], mirrored[p]) for i, p in _settings(setters, order)]
     made = {
-        (step, columns): _with_columns(_taken(cell, step), columns, len(memory))
+        (step, columns): _with_columns(_phase_of(cell, step), columns, len(memory))
         for step, columns in set(places)
     }
-    named = numbered([q.name for q in memory])
+    names = numbered([q.name for q in memory])
     return replace(
         cell,
         phases=tuple(made[place] for place in places),
         sign=-1 if order.half_period else 1,
         guess=cell.guess if order == declared_order(cell) else (),
         cycles=1,
-        memory=tuple(replace(q, name=name) for q, name in zip(memory, named, strict=True)),
+        memory=tuple(replace(q, name=name) for q, name in zip(memory, names, strict=True)),
         classes=(),
         start=(),
     )
 
 
-def _taken(cell: Cell, step: Step) -> Phase:
-    """Return the phase of a cell that a step of an order is."""
+def _phase_of(cell: Cell, step: Step) -> Phase:
+    """Return the phase of a step of an order, mirrored if the step is."""
     phase = cell.carrying(step.phase)
     return mirror(phase) if step.mirrored else phase
 
 
-def _begun_mirrored(cell: Cell, order: Order, p: int) -> bool:
-    """Whether a phase of an order begins as the mirror image of one does.
+def _begins_mirrored(cell: Cell, order: Order, p: int) -> bool:
+    """Return whether phase `p` of an order begins as the mirror image of the declared phase.
 
-    Of the same equation as its image it is named by how it ends. It begins as the phase before
-    it leaves it, if that is the one before it in the scene or the mirror image of that.
+    A phase with the same equation as its image is mirrored or not by its end.  If it follows
+    its declared predecessor, or the image of that, it begins as that one was mirrored.
     """
     step, before = order.steps[p], order.steps[p - 1]
     phase = cell.phases[step.phase]
-    named = before.phase != (step.phase - 1) % len(cell.phases)
-    if named or mirror(phase).equation != phase.equation:
+    elsewhere = before.phase != (step.phase - 1) % len(cell.phases)
+    if elsewhere or mirror(phase).equation != phase.equation:
         return step.mirrored
     turned = (p == 0 and order.half_period) != (step.phase == 0 and cell.sign < 0)
     return before.mirrored != turned
 
 
-def _set_by(memory: Memory, mirrored: bool, p: int) -> Memory:
-    """Return a memory that a phase of an order sets, which may begin mirrored."""
+def _set_in(p: int, memory: Memory, mirrored: bool) -> Memory:
+    """Return a memory as phase `p` of an order sets it, mirrored or not."""
     x, v, cos, constant, *others = memory.value
     if mirrored:
         constant = -constant
@@ -264,7 +261,7 @@ def _set_by(memory: Memory, mirrored: bool, p: int) -> Memory:
 
 
 def is_odd(cell: Cell) -> bool:
-    """Whether the mirror image of each phase is a phase.
+    """Return whether the mirror image of each phase of a cell is a phase of it.
 
     Examples
     --------
@@ -275,37 +272,42 @@ def is_odd(cell: Cell) -> bool:
     return None not in [image(cell, Step(p)) for p in range(len(cell.phases))]
 
 
-def _settings(at: Sequence[int], order: Order) -> list[tuple[int, int]]:
-    """Return which memory is set, and by which phase of an order, each time that one is.
+def _settings(setters: Sequence[int], order: Order) -> list[tuple[int, int]]:
+    """Return pairs ``(i, p)``: phase `p` of an order sets memory `i` of the declared cell.
 
-    `at` has the phase of a cell that sets each.
+    `setters` are the phases of the declared cell that set its memories.
     """
     steps = order.steps
-    return [(i, p) for i, q in enumerate(at) for p, step in enumerate(steps) if step.phase == q]
+    return [
+        (i, p) for i, q in enumerate(setters) for p, step in enumerate(steps) if step.phase == q
+    ]
 
 
-def _columns(at: Sequence[int], order: Order, p: int) -> list[tuple[int, int]]:
-    """Return which setting each memory has on a phase of an order, and its sign there."""
-    settings, found = _settings(at, order), []
-    for i, phase in enumerate(at):
+def _columns(setters: Sequence[int], order: Order, p: int) -> list[tuple[int, int]]:
+    """Return index among `_settings`, and sign, of each declared memory on phase `p`.
+
+    The latest setting holds; before the first, the last one of the cell before.
+    """
+    settings, columns = _settings(setters, order), []
+    for i, phase in enumerate(setters):
         own = [(where, column) for column, (q, where) in enumerate(settings) if q == i]
         if not own:
             expected = f"expected phase {phase + 1} of the scene among them"
             raise UnknownScene(f"phases: {expected}: it sets a memory")
         before = [column for where, column in own if where <= p]
         sign = 1 if before or not order.half_period else -1
-        found.append((before[-1] if before else own[-1][1], sign))
-    return found
+        columns.append((before[-1] if before else own[-1][1], sign))
+    return columns
 
 
 def _with_columns(phase: Phase, columns: Sequence[tuple[int, int]], count: int) -> Phase:
-    """Return a phase whose factors of the memory are those of the settings of an order."""
+    """Return a phase with its factors of declared memories moved to `columns` of `count`."""
 
     def put(factors: Sequence[float]) -> tuple[float, ...]:
-        found = [0.0] * count
+        moved = [0.0] * count
         for factor, (column, sign) in zip(factors, columns, strict=False):
-            found[column] += sign * factor
-        return tuple(found)
+            moved[column] += sign * factor
+        return tuple(moved)
 
     width = phase.width
 

@@ -1,4 +1,4 @@
-"""What numbers must be, whatever the scene: finite, or whole; and errors that say so."""
+"""Checks of numbers that hold for every scene (finite, whole), and their errors."""
 
 import math
 import numbers
@@ -6,7 +6,7 @@ from typing import Any
 
 
 class ParameterError(ValueError):
-    """Parameters that are not those of an oscillator; `errors` names each one."""
+    """Parameters of a scene that are not allowed; `errors` has a message for each."""
 
     def __init__(self, errors: list[str]) -> None:
         super().__init__("; ".join(errors))
@@ -17,7 +17,7 @@ class ParameterError(ValueError):
 
 
 def is_number(value: object) -> bool:
-    """Whether `value` is a finite real number that a float can hold; a bool is not."""
+    """Return whether `value` is a finite real number that a float can hold, and no bool."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         return False
     try:
@@ -29,12 +29,12 @@ def is_number(value: object) -> bool:
 def whole(
     name: str, value: object, least: int = 1, most: float = math.inf, of: str = ""
 ) -> int:
-    """Return a whole number from the least to the most that is `of` something; no bool.
+    """Return `value` as an int if it is a whole number from `least` to `most`, and no bool.
 
     Raises
     ------
     ValueError
-        With its name, if it is not one.
+        If it is not, with `name`, and with `of` behind the range expected.
     """
     right = isinstance(value, numbers.Integral) and not isinstance(value, bool)
     if not (right and least <= value <= most):  # type: ignore[operator]
@@ -45,5 +45,5 @@ def whole(
 
 
 def plain(number: Any) -> Any:
-    """Return a whole number of any type, such as NumPy's, as Python has it; else as it is."""
+    """Return a whole number of any type, such as NumPy's, as an int; others unchanged."""
     return int(number) if isinstance(number, numbers.Integral) else number

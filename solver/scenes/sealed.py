@@ -1,8 +1,8 @@
-"""Folders of generated modules that are kept: sealed when written, checked when read.
+"""Folders of generated modules in the cache: sealed when written, checked when read.
 
-A kernel in which one digit was changed gives wrong orbits, and estimates by which they are
-right.  So a folder is read at once, and used only if it is its user's alone and all of it is as
-it was written; what was read is what runs, whatever becomes of the files.
+A kernel with one digit changed would give wrong orbits, and error estimates that hide it.  So a
+folder is read as a whole, and used only if it belongs to its user alone and its content has the
+hash it was written with.  The content that was read is run, whatever becomes of the files.
 """
 
 import errno
@@ -12,29 +12,29 @@ import stat
 from collections.abc import Mapping
 from pathlib import Path
 
-#: The file with the hash of all others, and the endings of these.
+#: The file with the hash of all others, and the suffixes of the files that are hashed.
 SEAL, ENDINGS = "seal", (".py", ".npz")
 
 #: Permission of the group, and of all others, to write.
 OTHERS = stat.S_IWGRP | stat.S_IWOTH
 
-#: What a folder holds, by place; folders in it have a slash behind their name.
+#: Content of the files in a folder, by their path in it, with slashes.
 Kept = Mapping[str, bytes]
 
 
 class Damaged(ValueError):  # noqa: N818  (named like the other errors of the package)
-    """A folder that is not as it was written."""
+    """The content of a sealed folder has changed since it was written."""
 
 
 class NotPrivate(PermissionError):  # noqa: N818  (named like the other errors of the package)
-    """A file or folder that another user owns or may write to, and that is not used."""
+    """A file or folder is not used because another user owns it or may write to it."""
 
     def __str__(self) -> str:
         return f"{self.filename} {self.strerror}"
 
 
 def write(files: Kept, folder: Path) -> None:
-    """Write files into a folder, and its seal, for the user alone."""
+    """Write files and their seal into a folder, readable by its user alone."""
     for place, content in {**files, SEAL: _seal(folder.name, files)}.items():
         path = folder / place
         path.parent.mkdir(mode=0o700, exist_ok=True)
@@ -43,16 +43,16 @@ def write(files: Kept, folder: Path) -> None:
 
 
 def read(folder: Path) -> dict[str, bytes]:
-    """Return what is in a sealed folder.
+    """Return the content of a sealed folder.
 
     Raises
     ------
     Damaged
-        If it is not what was written there: under this name, each file and no other.
+        If the folder's name, or the name or content of a file, differs from what was sealed.
     NotPrivate
-        An `OSError`: if it, or a file in it, is not its user's alone.
+        An `OSError`: if it, or a file in it, does not belong to its user alone.
     OSError
-        If it is not there, or cannot be read.
+        If it does not exist, or cannot be read.
     """
     check_private(folder)
     found: dict[str, bytes] = {}
@@ -68,7 +68,7 @@ def read(folder: Path) -> dict[str, bytes]:
 
 
 def read_any(folder: Path) -> Kept | None:
-    """Return what is in a folder that is sealed, or lies in one; None of any other.
+    """Return the content of a folder that is sealed, or lies in a sealed one; else None.
 
     Raises
     ------
@@ -81,19 +81,20 @@ def read_any(folder: Path) -> Kept | None:
 
 
 def below(kept: Kept, name: str) -> Kept:
-    """Return what is in one of the folders of a folder."""
+    """Return the content of the folder `name` within a folder."""
     start = f"{name}/"
     return {q.removeprefix(start): kept[q] for q in kept if q.startswith(start)}
 
 
 def _content(path: Path) -> bytes:
+    """Return the content of a file, once its permissions are checked."""
     with path.open("rb") as file:
         check_status(path, os.fstat(file.fileno()))
         return file.read()
 
 
 def _seal(name: str, files: Kept) -> bytes:
-    """Return the hash of a folder's name and of all that is in it."""
+    """Return the hash of a folder's name and of all its files."""
     digest = hashlib.sha256(name.encode())
     for place, content in sorted(files.items()):
         digest.update(f"\0{place}\0{len(content)}\0".encode() + content)
@@ -101,27 +102,27 @@ def _seal(name: str, files: Kept) -> bytes:
 
 
 def check_private(path: Path, like: Path | None = None) -> None:
-    """Check that a file or folder is its user's alone, and a link to it as well.
+    """Check that a file or folder, and a link to it, belong to the current user alone.
 
-    Where a system has no numbers of users, as Windows, nothing is checked.
+    Nothing is checked on systems without user ids, such as Windows.
 
     Parameters
     ----------
     like : Path, optional
-        A folder whose files are run in any case: who owns it, or may write to it, is trusted.
+        A folder whose owner, and writers, are trusted as well: its files are run in any case.
 
     Raises
     ------
     NotPrivate
         If another user owns it, or others may write to it.
     FileNotFoundError
-        If there is nothing.
+        If it does not exist.
     """
     check_status(path, path.stat(), like.stat() if like else None)
 
 
 def check_status(path: Path, there: os.stat_result, like: os.stat_result | None = None) -> None:
-    """Check the same where the status of what the path leads to is known."""
+    """Check the same as `check_private`, with the status of the file that the path leads to."""
     owners = {there.st_uid, path.lstat().st_uid}
     if not hasattr(os, "getuid"):
         return

@@ -1,4 +1,4 @@
-"""The cell of a body: the laws of its contacts, and the body in its modes, without units."""
+"""The cell of a body: its modes and the laws of its contacts, without units."""
 
 import io
 import math
@@ -25,19 +25,19 @@ if TYPE_CHECKING:
 #: The file of a body's matrices, in the folder of its scene.
 MATRICES = "body.npz"
 
-#: Entries of a form for the first contact, the forcing and 1; and for each other contact.
+#: Entries of a form for the first contact, the forcing and 1; and for each further contact.
 FIRST, OTHER = 6, 4
 
-#: What is left of a velocity behind a jump that turns it, as a part, that is rounding.
+#: Part of a velocity left behind a jump that turns it, which is rounding.
 GOES_ON = 1e-9
 
-#: What a difference of two entries may be, as a part of the largest.
+#: Difference of two entries of a symmetric matrix, relative to the largest, that is rounding.
 ROUNDING = 1e-12
 
-#: The k of a scene in which contact forces do not jump.
+#: The least k of a scene whose contact forces do not jump.
 CONTINUOUS = 2
 
-#: What a phase has in place of the equation of motion of one mass.
+#: Unused coefficients of the equation of one mass.
 NO_EQUATION: Any = {"m": 1.0, "c": 0.0, "k": 0.0, "f": 0.0, "g": 0.0}
 
 
@@ -45,13 +45,13 @@ NO_EQUATION: Any = {"m": 1.0, "c": 0.0, "k": 0.0, "f": 0.0, "g": 0.0}
 class BodyPhase(Phase):
     """One phase of a body: the laws of its contacts in place of an equation of motion.
 
-    A form is of ``x, v, cos, 1, force, a`` of the first contact, then of ``x, v, force, a`` of
-    each other, then of each memory.
+    A form has factors of ``x, v, cos, 1, force, a`` of the first contact, then of ``x, v,
+    force, a`` of each further contact, then of each memory.
 
     Parameters
     ----------
     laws : tuple of Form
-        Zero in the phase; one a contact.
+        Forms that vanish throughout the phase, one for each contact.
     jumps : tuple of (float, float)
         Velocity of each contact after the switch at the end: ``rho v + d``.
     """
@@ -61,32 +61,35 @@ class BodyPhase(Phase):
 
     @property
     def width(self) -> int:
-        """Entries of a form, those of the memory left out."""
+        """Number of entries of a form without those of the memories."""
         return FIRST + OTHER * (len(self.laws) - 1)
 
     @property
     def equation(self) -> tuple[object, ...]:
-        """What its laws are."""
+        """Its laws, normalised, by which phases are compared."""
         return tuple(map(_scaled, self.laws)), self.held, self.speed
 
     def cut(self) -> Self:
-        """Return the phase as one that ends where the velocity is zero, and nothing changes."""
+        """Return the phase cut where the velocity vanishes: event ``x' = 0``, no jumps."""
         return replace(super().cut(), jumps=((1.0, 0.0),) * len(self.laws))
 
     def leaps(self, form: Form) -> bool:
-        """Whether a form may jump where the phase ends: forces and accelerations do."""
+        """Return whether the value of a form may jump at the switch that ends the phase.
+
+        Forces and accelerations may; a velocity does if its jump is not the identity.
+        """
         _, v, force, a = places(len(self.laws))
-        hit = zip(self.jumps, v, strict=True)
-        jumps = any(form[q] for jump, q in hit if jump != (1.0, 0.0))
+        velocities = zip(self.jumps, v, strict=True)
+        jumps = any(form[q] for jump, q in velocities if jump != (1.0, 0.0))
         return jumps or any(form[q] for q in (*force, *a))
 
     def with_forms(self, put: Callable[[Form], Form]) -> Self:
-        """Return the phase with another form in the place of each."""
+        """Return the phase with each form replaced by ``put(form)``."""
         return replace(super().with_forms(put), laws=tuple(map(put, self.laws)))
 
 
 def _scaled(law: Form) -> Form:
-    """Return a law whose first factor is 1: that of a mirror image has another sign."""
+    """Return a law scaled to first nonzero factor 1: a mirror image may have another sign."""
     first = next(factor for factor in law if factor)
     return tuple(factor / first for factor in law)
 
@@ -99,22 +102,22 @@ class BodyCell(Cell):
     body: Modal = field(kw_only=True)
 
     def carrying(self, p: int) -> BodyPhase:
-        """Return a phase whose factors of the memory are for values as a motion has them."""
-        found = super().carrying(p)
-        assert isinstance(found, BodyPhase)
-        return found
+        """Return phase `p` with factors of the actual values of the memories; see `Cell`."""
+        phase = super().carrying(p)
+        assert isinstance(phase, BodyPhase)
+        return phase
 
     def place(self, p: int) -> float | None:
-        """Return None: a body is at no one place."""
+        """Return None: a body does not rest at one displacement."""
         return None
 
 
 def body_cell(
     scene: "LoadedScene", numbers: tuple[float, ...], cycles: int, units: Units | None
 ) -> BodyCell:
-    """Return the cell of a scene of a body, of one motion, for parameters in some units.
+    """Return the cell of a scene of one motion with a body, for parameters in given units.
 
-    Without `units` its body is any with as many contacts: for what follows from laws alone.
+    Without `units` the body is a stand-in with as many contacts, enough for the laws alone.
 
     Raises
     ------
@@ -153,11 +156,11 @@ def _check_jumps(cell: BodyCell) -> None:
 
 
 def _stand_in(contacts: int) -> Modal:
-    """Return any body with so many contacts: three modes each, of which nothing is special."""
-    own = 1.0 + 0.618034 * np.arange(3 * contacts, dtype=float)
-    at = np.cos(np.outer(own, 1.0 + np.arange(contacts)))
+    """Return a generic body with a number of contacts, and three modes for each."""
+    omega = 1.0 + 0.618034 * np.arange(3 * contacts, dtype=float)
+    at = np.cos(np.outer(omega, 1.0 + np.arange(contacts)))
     none, nothing = np.zeros((contacts, contacts)), np.zeros(contacts, dtype=complex)
-    return Modal(own**2, np.diag(own / 50), at, np.sin(own), at.T @ at, none, nothing)
+    return Modal(omega**2, np.diag(omega / 50), at, np.sin(omega), at.T @ at, none, nothing)
 
 
 def _under_laws(
@@ -189,9 +192,10 @@ def _under_laws(
 def _body(
     scene: "LoadedScene", values: tuple[float, ...], units: Units, frequency: float
 ) -> Modal:
-    """Return the body for parameters in SI units, in the units of a case.
+    """Return the body in the units of a case, for parameters in SI units.
 
-    Its modes are found in units that are powers of two: these change no digit of its matrices.
+    Its modes are computed in units that are powers of two, which change no digit of its
+    matrices.
     """
     binary = Units(*(2.0 ** round(math.log2(unit)) for unit in vars(units).values()))
     try:
@@ -244,10 +248,9 @@ def _check_matrix(name: str, matrix: Matrix) -> None:
 
 @lru_cache(maxsize=16)
 def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | None) -> Modal:
-    """Return the body in its modes: the same for all forcings and damping ratios.
+    """Return the body in modal coordinates, without forcing frequency and damping ratio.
 
-    What a motion remembers is of displacements, as is a force that may jump: neither leaves
-    room for a compliance without mass.
+    A memory, or a force that may jump, excludes a massless compliance at the contact.
     """
     matrices = _matrices(scene, entries, units)
     size = matrices["M"].shape[0]
@@ -258,7 +261,7 @@ def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | No
 
 
 def matrices_of(scene: "LoadedScene") -> Mapping[str, Any]:
-    """Return the arrays of its file: of each matrix its shape and, if numeric, its entries."""
+    """Return the arrays of a body's file: shape of each matrix and, if numeric, its entries."""
     kept = None if scene.kept is None else scene.kept[MATRICES]
     with np.load(scene.folder / MATRICES if kept is None else io.BytesIO(kept)) as file:
         return dict(file)
@@ -266,7 +269,7 @@ def matrices_of(scene: "LoadedScene") -> Mapping[str, Any]:
 
 @lru_cache(maxsize=4)
 def _matrices(scene: "LoadedScene", entries: Entries, units: Units) -> dict[str, Any]:
-    """Return the matrices of a body as sparse arrays, in some units."""
+    """Return the matrices of a body as sparse arrays, in given units."""
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     given: dict[str, list[tuple[int, int, float]]] = {}

@@ -66,8 +66,8 @@ MUTANTS = (
     Mutant(
         "the event of a mirrored phase is not mirrored",
         "solver/scenes/mirror.py",
-        "there = phase.with_forms(_mirrored)",
-        "there = replace(phase.with_forms(_mirrored), event=phase.event)",
+        "image = phase.with_forms(_mirrored)",
+        "image = replace(phase.with_forms(_mirrored), event=phase.event)",
         MOTION,
     ),
     Mutant(
