@@ -1,7 +1,7 @@
-"""Functions with a break at a switch: their ends, and their residual in the rows of harmonics.
+"""Functions with a break at a switch: their values at switches, and their terms in the rows.
 
-For the switch that begins phase p, ``beta_n`` is a function of ``u = (t - t_p)/T`` on the cell
-that begins there, and ``d beta_n/du = beta_(n-1)``.
+The function ``beta_n`` of the switch that begins phase p depends on ``u = (t - t_p)/T`` in the
+cell that begins there, and ``d beta_n/du = beta_(n-1)``.
 """
 
 from math import pi
@@ -9,7 +9,7 @@ from math import pi
 import numpy as np
 
 from ...generated.hb import in_the_middle, in_the_middle_mirrored, integral
-from .fourier import cosine_place, moved, number
+from .fourier import cosine_place, number, switch_rate
 from .joints import BESIDE, CLASS, C, K, M
 from .moments import legendre_moments
 
@@ -24,36 +24,36 @@ def top(kinds):
 
 
 def break_value(n, u, sign):
-    """Return ``beta_n`` at u, from its derivatives in the middle."""
+    """Return ``beta_n(u)`` by its Taylor series about u = 1/2."""
     middle = in_the_middle() if sign > 0 else in_the_middle_mirrored()
-    found = 0.0 * u
+    value = 0.0 * u
     for i in range(n, -1, -1):
-        found = found * (u - 1 / 2) / (i + 1) + middle[n - i]
-    return found
+        value = value * (u - 1 / 2) / (i + 1) + middle[n - i]
+    return value
 
 
 def break_series(highest, begin, length, sign):
-    """Return ``beta_n(begin + length w)`` in shifted Legendre polynomials of w: [n, l]."""
-    found = np.zeros((highest + 1, highest + 1))
+    """Return the coefficients [n, l] of ``beta_n(begin + length w) = sum_l [n, l] P_l*(w)``."""
+    series = np.zeros((highest + 1, highest + 1))
     for n in range(highest + 1):
         for l in range(n + 1 if n > 0 else 0):
             below, above = integral(l)
-            before = found[n - 1, l - 1] if l > 0 else -found[n - 1, 0]
-            after = found[n - 1, l + 1] if l < n else 0.0
-            found[n, l] = length * (below * before + above * after)
-        found[n, 0] = found[n, 0] + break_value(n, begin, sign)
-    return found
+            before = series[n - 1, l - 1] if l > 0 else -series[n - 1, 0]
+            after = series[n - 1, l + 1] if l < n else 0.0
+            series[n, l] = length * (below * before + above * after)
+        series[n, 0] = series[n, 0] + break_value(n, begin, sign)
+    return series
 
 
 def break_tables(kinds, sign, ends):
-    """Return the functions of each switch on each phase: as series, and where it begins, ends.
+    """Return the functions of each switch on each phase: Legendre series, and end values.
 
     Returns
     -------
     ndarray, shape (P, P, n, n)
-        For a switch and a phase, the coefficients [n, l].
+        For a switch and a phase, the coefficients [n, l] of `break_series`.
     ndarray, shape (P, P, 2, n)
-        The values of ``beta_n`` where the phase begins and ends.
+        The values of ``beta_n`` at the begin and the end of the phase.
     """
     phases, highest, T = len(kinds), top(kinds), ends[len(kinds)]
     series = np.zeros((phases, phases, highest + 1, highest + 1))
@@ -64,17 +64,17 @@ def break_tables(kinds, sign, ends):
             if q < p:  # in the cell that began before
                 begin = begin + 1
             factor = sign if q < p else 1.0
-            found = break_series(highest, begin, length, sign)
+            beta = break_series(highest, begin, length, sign)
             for n in range(highest + 1):
                 for l in range(n + 1):
-                    series[p, q, n, l] = factor * found[n, l]
-                    values[p, q, 0, n] += factor * found[n, l] * (1 - 2 * (l % 2))
-                    values[p, q, 1, n] += factor * found[n, l]
+                    series[p, q, n, l] = factor * beta[n, l]
+                    values[p, q, 0, n] += factor * beta[n, l] * (1 - 2 * (l % 2))
+                    values[p, q, 1, n] += factor * beta[n, l]
     return series, values
 
 
 def add_break_states(case, z, at, ends, values, found):
-    """Add the functions to derivatives of the displacement, as in `beside_series`."""
+    """Add the functions to the derivatives at ends of phases, laid out as `beside_series`."""
     kinds, setting = case[0], case[2]
     phases, T, at_s = len(kinds), ends[len(kinds)], at[len(kinds)] + len(setting)
     for p in range(phases):
@@ -92,18 +92,18 @@ def add_break_states(case, z, at, ends, values, found):
                         found[q, side, order, 1 + place] += value
                         slope = values[p, q, side, n - order - 1] / power if order < n else 0.0
                         for r in range(phases):
-                            apart = moved(ends, r, q + side) - moved(ends, r, p)
+                            apart = switch_rate(ends, r, q + side) - switch_rate(ends, r, p)
                             change = z[place] * (apart * slope - order / T * value)
                             found[q, side, order, 1 + at_s + r] += change
 
 
 def harmonic_moments(sign, ends, period, count, degrees):
-    """Return the integrals of shifted Legendre polynomials with harmonics over each phase.
+    """Return the integrals over each phase of shifted Legendre polynomials times harmonics.
 
     Returns
     -------
     ndarray, shape (P, degrees, 2, count)
-        With the sine and with the cosine.
+        Times the sine and times the cosine.
     """
     phases = len(ends) - 1
     found, moments = np.zeros((phases, degrees, 2, count)), np.empty((2, degrees))
@@ -118,19 +118,19 @@ def harmonic_moments(sign, ends, period, count, degrees):
 
 
 def break_residual(numbers, q, beta, n, T):
-    """Return the left side of the equation of phase q for ``beta_n``, from values of all."""
+    """Return ``m x'' + c x' + k x`` for ``x = beta_n`` in phase q, from the values `beta`."""
     found = numbers[q, K] * beta[n] + numbers[q, C] * beta[n - 1] / T
     return found + numbers[q, M] * beta[n - 2] / T**2 if n > 1 else found
 
 
 def integrals_of_break(numbers, n, T, series, moments):
-    """Return the integrals of the left side for ``beta_n`` with the harmonics.
+    """Return the integrals of ``m x'' + c x' + k x`` for ``x = beta_n`` times the harmonics.
 
     Returns
     -------
     ndarray, shape (2, 2, count)
-        With the sine and with the cosine; and T times their derivatives by T, with the
-        harmonics and u as they are.
+        Times the sine and the cosine; then T times their derivatives by T, with the harmonics
+        and u fixed.
     """
     found = np.zeros((2, 2, moments.shape[3]))
     for q in range(len(numbers)):
@@ -146,7 +146,7 @@ def integrals_of_break(numbers, n, T, series, moments):
 
 
 def add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows):
-    """Add to (5), (6), (7) what the functions make of the left side of the equation."""
+    """Add the terms of the functions to the rows of the harmonics, (5), (6), (7)."""
     kinds, (series, values) = case[0], tables
     rates = rows.shape[1] > 1
     for p in range(len(kinds)):
@@ -163,7 +163,10 @@ def add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows):
 
 
 def add_break(case, z, at, ends, p, n, found, before, N, rows):
-    """Add a function to the rows of harmonics, with ends of phases where they are."""
+    """Add the terms of one function to the rows of the harmonics.
+
+    Their derivatives are for fixed limits of integration; see `add_moved_ends`.
+    """
     kinds, setting, sign = case[0], case[2], case[4][0]
     place, T = at[p] + n - kinds[p, CLASS] - 2, ends[len(kinds)]
     at_s = at[len(kinds)] + len(setting)
@@ -174,12 +177,12 @@ def add_break(case, z, at, ends, p, n, found, before, N, rows):
             if rows.shape[1] > 1:
                 rows[row, 1 + place] += found[0, wave, i]
                 for r in range(len(kinds)):
-                    change = found[1, wave, i] - moved(ends, r, p) * before[0, wave, i]
+                    change = found[1, wave, i] - switch_rate(ends, r, p) * before[0, wave, i]
                     rows[row, 1 + at_s + r] += z[place] * change / T
 
 
 def add_moved_ends(case, z, at, ends, p, n, values, at_ends, N, rows):
-    """Add what of a function goes from one phase to the next when the ends of phases move."""
+    """Add the derivatives of a function's terms by the limits of the integrals over phases."""
     kinds, numbers, setting, sign = case[0], case[1], case[2], case[4][0]
     phases, at_s = len(kinds), at[len(kinds)] + len(setting)
     c = z[at[p] + n - kinds[p, CLASS] - 2]
@@ -192,4 +195,4 @@ def add_moved_ends(case, z, at, ends, p, n, values, at_ends, N, rows):
                     row = cosine_place(sign, N, i) if wave == 1 else i
                     there = left * at_ends[q + side, 0, wave, i]
                     for r in range(phases):
-                        rows[row, 1 + at_s + r] += there * moved(ends, r, q + side)
+                        rows[row, 1 + at_s + r] += there * switch_rate(ends, r, q + side)

@@ -1,9 +1,7 @@
-"""Harmonics over the period of a motion of any phases: where unknowns are, times, (3) at ends.
+"""Fourier series (3) of a motion of any phases: layout of unknowns, times, values at switches.
 
-And what stands beside (3), on a phase.
-
-A scene is arrays, as in `joints`.  Harmonics are counted by i: their numbers are 0, 1, ..., N,
-or the N odd ones where the motion repeats with the opposite sign after a cell.
+A case is arrays, as in `joints`.  Harmonics are counted by i: their numbers are 0, 1, ..., N,
+or the N odd ones if the motion repeats with the opposite sign after a cell.
 """
 
 from math import pi
@@ -17,14 +15,17 @@ from .joints import BESIDE, CLASS
 
 
 def legendre_on_phase(series, duration, u, derivative):
-    """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
+    """Return values of a series of shifted Legendre polynomials, or of a derivative by time.
+
+    `u` are local times in [0, 1] of a phase.
+    """
     w = 2 * np.asarray(u, dtype=float) - 1
     slope = legendre.legder(series, derivative, scl=2)
     return legendre.legval(w, slope) / duration**derivative
 
 
 def odd(sign):
-    """Return whether the cell is half a period: then only odd harmonics are there."""
+    """Return whether the cell is half a period: then only odd harmonics occur."""
     return sign < 0
 
 
@@ -34,72 +35,73 @@ def number(sign, i):
 
 
 def cosine_place(sign, N, i):
-    """Return where the unknown of cosine i stands, and its row; those of sine i stand at i.
+    """Return the index of the unknown, and of the row, of cosine i; those of sine i are i.
 
-    The cosine of number 0 is the constant; the sine is zero, and adds zeros to its place.
+    The cosine of number 0 is the constant; the sine of number 0 is zero and shares its index.
     """
     return 0 if i == 0 and not odd(sign) else N + i
 
 
 def jumps(kinds, p):
-    """Return whether the velocity jumps where phase p begins, with no function for it."""
+    """Return whether the velocity jumps where phase p begins, and no function has that jump."""
     return kinds[p, CLASS] == 0 and kinds[p, BESIDE] == 0
 
 
-def own(kinds, p):
-    """Return how many unknowns, and conditions, the switch that begins phase p has."""
+def unknowns_of_switch(kinds, p):
+    """Return the number of unknowns, and of conditions, of the switch that begins phase p."""
     return 1 if jumps(kinds, p) else kinds[p, BESIDE]
 
 
-def beside(case):
-    """Return how many unknowns there are beside the harmonics of numbers 1 and beyond."""
+def unknowns_beside(case):
+    """Return the number of unknowns besides the 2 N of harmonics of numbers above 0."""
     kinds, _, setting, _, cell = case[:5]
-    found = len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
+    count = len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
     for p in range(len(kinds)):
-        found += own(kinds, p)
-    return found if odd(cell[0]) else found + 1
+        count += unknowns_of_switch(kinds, p)
+    return count if odd(cell[0]) else count + 1
 
 
 def places(case, N):
-    """Return where the unknowns of each switch begin, and those behind all of them."""
+    """Return the index of the first unknown of each switch, and of the first after them."""
     kinds, sign = case[0], case[4][0]
     at = np.zeros(len(kinds) + 1, dtype=np.int64)
     at[0] = 2 * N if odd(sign) else 2 * N + 1
     for p in range(len(kinds)):
-        at[p + 1] = at[p] + own(kinds, p)
+        at[p + 1] = at[p] + unknowns_of_switch(kinds, p)
     return at
 
 
 def times(z, at_s, sign, phases):
-    """Return when phases begin and the last one ends, and the period."""
+    """Return the times of the switches of a cell, from 0 to its end, and the period."""
     ends = np.zeros(phases + 1)
     for p in range(phases):
         ends[p + 1] = ends[p] + z[at_s + p]
     return ends, ends[phases] * (2 if odd(sign) else 1)
 
 
-def moved(ends, r, q):
-    """Return the derivative of ``t_q/T`` by duration r, times T."""
+def switch_rate(ends, r, q):
+    """Return ``T d(t_q/T)/ds_r``: t_q is the begin of phase q, s_r the duration of phase r."""
     return (1.0 if r < q else 0.0) - ends[q] / ends[len(ends) - 1]
 
 
 def amplitudes(z, sign, N):
-    """Return what sines and cosines are multiplied by; the mean is half the constant."""
+    """Return the amplitudes of sines and cosines, shape (2, count); [1, 0] is the mean."""
     count = N if odd(sign) else N + 1
-    found = np.zeros((2, count))
+    amplitude = np.zeros((2, count))
     for i in range(count):
-        found[0, i], found[1, i] = z[i], z[cosine_place(sign, N, i)]
+        amplitude[0, i], amplitude[1, i] = z[i], z[cosine_place(sign, N, i)]
     if not odd(sign):
-        found[0, 0], found[1, 0] = 0.0, z[0] / 2
-    return found
+        amplitude[0, 0], amplitude[1, 0] = 0.0, z[0] / 2
+    return amplitude
 
 
 def waves(sign, ends, period, count, highest):
-    """Return sines, cosines and their derivatives where phases begin, and the last one ends.
+    """Return the derivatives of sines and cosines at the switches and at the end of the cell.
 
     Returns
     -------
     ndarray, shape (P + 1, highest + 1, 2, count)
+        By switch, order of the derivative, sine or cosine, and i.
     """
     phases, omega_0 = len(ends) - 1, 2 * pi / period
     found = np.zeros((phases + 1, highest + 1, 2, count))
@@ -117,13 +119,13 @@ def waves(sign, ends, period, count, highest):
 
 
 def series_at_ends(sign, motion, ends, at_ends, at_s, N, width):
-    """Return derivatives of the series where phases begin and the last one ends.
+    """Return the derivatives of the series at the switches and at the end of the cell.
 
     Returns
     -------
     ndarray, shape (P + 1, derivatives, width)
-        The value and, if `width` has room for them, behind it its derivatives by all unknowns,
-        by half the constant for the constant.
+        The value and, if `width` is above 1, its derivatives by all unknowns after it; the one
+        by the constant is by half of it.
     """
     phases, highest, T = len(ends) - 1, at_ends.shape[1] - 1, ends[len(ends) - 1]
     found = np.zeros((phases + 1, highest + 1, width))
@@ -139,6 +141,6 @@ def series_at_ends(sign, motion, ends, at_ends, at_s, N, width):
             found[q, order, 0] = value
         for order in range(highest if width > 1 else 0):
             for r in range(phases):
-                change = found[q, order + 1, 0] * moved(ends, r, q)
+                change = found[q, order + 1, 0] * switch_rate(ends, r, q)
                 found[q, order, 1 + at_s + r] = change - order / T * found[q, order, 0]
     return found

@@ -8,7 +8,8 @@ import numpy as np
 def multiples(angle, highest):
     """Return ``cos(k angle)`` and ``sin(k angle)`` for k up to `highest`.
 
-    As products of turns by 16 and by less: two functions for 16 values, and a few roundings.
+    By addition theorems from multiples of 16 and the 16 least k: one cosine and one sine for 16
+    values, and a few roundings.
     """
     cosines, sines = np.zeros(highest + 1), np.zeros(highest + 1)
     for k in range(min(16, highest + 1)):
@@ -27,18 +28,18 @@ def harmonic_integrals(ends, period, highest, rates):
     Parameters
     ----------
     ends : tuple of float, length P + 1
-        Where the phases begin, and where the last one ends.
+        Times of the switches and of the end of the cell.
     period : float
         ``omega_0 = 2 pi/period``; a multiple of the cell.
     highest : int
         Largest k.
     rates : bool
-        Whether the derivatives are wanted as well.
+        Whether derivatives are computed as well.
 
     Returns
     -------
     ndarray, shape (P, 2, 1 + P or 1, highest + 1)
-        For each phase, with the cosine and with the sine: row 0 the integrals, row 1 + q their
+        For each phase, of the cosine and of the sine: row 0 the integrals, row 1 + q their
         derivatives by the duration of phase q.
     """
     phases, cell = len(ends) - 1, ends[len(ends) - 1]
@@ -67,7 +68,7 @@ def harmonic_integrals(ends, period, highest, rates):
 
 
 def weighted_integrals(integrals, weights, power, ends, period):
-    """Return the integrals over a cell of a weight times harmonics.
+    """Return ``omega_0^power`` times the integrals over a cell of a weight times harmonics.
 
     Parameters
     ----------
@@ -76,15 +77,15 @@ def weighted_integrals(integrals, weights, power, ends, period):
     weights : tuple of float, length P
         The weight on each phase.
     power : int
-        Of ``omega_0``, by which all is multiplied, as derivatives of harmonics are.
+        Order of the derivative of the harmonics.
     ends, period
         Those of `integrals`.
 
     Returns
     -------
     ndarray, shape (2, 1 + P or 1, 2 highest + 1)
-        With the cosine and with the sine, rows as in `integrals`.  Entry -k is that of -k, as
-        Python counts from the end.
+        Of the cosine and of the sine, rows as in `integrals`.  Entry -k, as Python counts from
+        the end, is for harmonic -k.
     """
     phases, _, rows, length = integrals.shape
     scale, cell = (2 * pi / period) ** power, ends[phases]
@@ -120,8 +121,8 @@ def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
 def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, derivative):
     """Return the motion on a phase from its Fourier series, at local times u from 0 to 1.
 
-    Where the velocity jumps by `begins` or `ends`, the series has the mean of both sides; at
-    the very ends of the phase the velocity returned is that of this side.
+    Where the velocity jumps, by `begins` or `ends`, the series has the mean of both sides; the
+    velocity returned at u = 0 and u = 1 is the limit from within the phase.
     """
     u = np.asarray(u, dtype=float)
     motion = harmonic_motion(mean, a, b, numbers, omega_0, start + s * u, derivative)

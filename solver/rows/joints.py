@@ -1,45 +1,44 @@
-"""What joins the phases of any scene: continuity, jumps, events, memory, the cell.
+"""The conditions that join the phases of any scene: continuity, jumps, events, memory, closure.
 
-A scene is arrays.  `kinds` and `numbers` have a row a phase, with the columns named here;
-`setting` and `memory` an entry a memory: the phase whose beginning sets it, and the linear form
-that it is set to; `cell` has the sign of the next cell, the angular frequency of the forcing,
-and how many times ``pi`` over it the cell lasts, 0 where nothing forces; `theta` has the angles
-of the forcing that `fill_angles` fills in.
+A case is the arrays `kinds`, `numbers`, `setting`, `memory`, `cell` of `scenes.arrays`; columns
+of the first two are named here.  `theta` has the angles of the forcing at the switches.
 
-Unknowns are, for each phase from ``at[p]`` on, the state in which it begins and what else is
-its own; then the memory, the durations, the phase of the forcing.  How a phase ends is given:
+The unknowns z are: for each phase from ``at[p]`` on, the state at its begin and further
+unknowns of the phase; then the memories, the durations, and the phase of the forcing.  The
+motion within the phases is given by the caller:
 
 gained : ndarray, shape (P, derivatives)
-    What displacement and velocity gain in the phase; from the second derivative on, what the
-    derivatives are at its end.
+    Change of displacement and velocity over the phase; from the second derivative on, the
+    values of the derivatives at its end.
 begins : ndarray, shape (P, derivatives)
-    From the second on, what they are at its begin.
+    From the second derivative on, the values at its begin.
 gained_by, begins_by : ndarray, shape (P, derivatives, 3 + width)
-    Their derivatives: by the duration of the phase, by the angle of the forcing where it
-    begins, by its constant force, and by its own unknowns, as many as it has.
+    Their derivatives: by the duration of the phase, by the angle of the forcing at its begin,
+    by its constant force, and by the unknowns of the phase.
 """
 
 from math import cos, pi, sin
 
-# Columns of `kinds`: whether the phase is free; the class where it begins; how many unknowns it
-# has beside a series: polynomials that no test sees, or functions with a break where it begins;
-# of which state its event is, in displacement and velocity: at its end, after it, at its begin.
+# Columns of `kinds`: whether the phase is free; the class at its begin; the number of unknowns
+# added to a series (polynomials orthogonal to all tests, or functions with a break at its
+# begin); where displacement and velocity of its event are taken: at its end, after the switch
+# there, or at its begin.
 FREE, CLASS, BESIDE, OF_X, OF_V = 0, 1, 2, 3, 4
 AT_END, AFTER, AT_BEGIN = 0, 1, 2
 
 # Columns of `numbers`: m x'' + c x' + k x = f + g cos; the velocity after the phase, rho v +
-# jump; its event, a linear form in x, v, cos and 1; the memory on the right side, and in the
-# event.
+# jump; its event, a linear form in x, v, cos and 1; then the factors of each memory on the
+# right side, and in the event.
 M, C, K, F, G, RHO, JUMP, E_X, E_V, E_COS, E_0, MEMORY = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11
 
 
 def highest(kinds, q):
-    """Return the highest derivative that is continuous where a phase begins."""
+    """Return the highest order of a derivative with a condition at the begin of phase q."""
     return max(1, kinds[q, CLASS]) if kinds[q, FREE] else 1
 
 
 def fill_angles(case, z, at, theta):
-    """Fill in the angle of the forcing where each phase begins, and where the last one ends."""
+    """Fill `theta` with the angles of the forcing at the switches and the end of the cell."""
     kinds, _, setting, _, cell = case[:5]
     count, at_s = len(kinds), at[len(kinds)] + len(setting)
     theta[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
@@ -48,10 +47,9 @@ def fill_angles(case, z, at, theta):
 
 
 def event(case, z, at, gained, theta, p):
-    """Return the form of the event that ends a phase where it begins, and what it gains.
+    """Return the event function of phase p at its begin, and its change up to its end.
 
-    Of a phase that begins at the event that ends it the first is 0, and what is left keeps its
-    digits.
+    They are kept apart so that the sum has no cancellation if a phase begins at its own event.
     """
     kinds, numbers, setting, _, cell = case[:5]
     count, more = len(kinds), len(setting)
@@ -68,14 +66,14 @@ def event(case, z, at, gained, theta, p):
         value = value + numbers[p, MEMORY + more + i] * z[at[count] + i]
     if cell[2] != 0:
         half = cell[1] * z[at[count] + more + p] / 2
-        turned = -2 * sin(theta[p] + half) * sin(half)
+        cosine_change = -2 * sin(theta[p] + half) * sin(half)
         value = value + numbers[p, E_COS] * cos(theta[p])
-        change = change + numbers[p, E_COS] * turned
+        change = change + numbers[p, E_COS] * cosine_change
     return value, change
 
 
 def joints(case, z, at, theta, gained, begins, R, row):
-    """Fill R from a row on with the left sides of the conditions that join the phases."""
+    """Fill R, from `row` on, with the residuals of the conditions that join the phases."""
     kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
     at_w = at[count]
@@ -83,7 +81,7 @@ def joints(case, z, at, theta, gained, begins, R, row):
         p = q - 1 if q > 0 else count - 1
         sign = cell[0] if q == 0 else 1.0
         rho, jump = numbers[p, RHO], numbers[p, JUMP]
-        # states first: what is gained may be far below them
+        # states first: the changes may be far smaller
         R[row] = z[at[q]] - sign * z[at[p]] - sign * gained[p, 0]
         law = rho * z[at[p] + 1] + jump
         R[row + 1] = z[at[q] + 1] - sign * law - sign * rho * gained[p, 1]
@@ -110,7 +108,7 @@ def joints(case, z, at, theta, gained, begins, R, row):
 
 
 def add_joint(case, J, row, factor, by, at, p):
-    """Add a factor times a row of `gained_by` or `begins_by` of a phase to a row of J."""
+    """Add a factor times `by`, from `gained_by` or `begins_by` of phase p, to a row of J."""
     kinds, numbers, setting, _, cell = case[:5]
     count, more = len(kinds), len(setting)
     at_w, at_s = at[count], at[count] + more
@@ -124,14 +122,14 @@ def add_joint(case, J, row, factor, by, at, p):
 
 
 def add_angle(J, row, factor, omega, at_s, count):
-    """Add a factor times the angle of the forcing where a phase begins to a row of J."""
+    """Add a factor times the derivatives of ``theta[count]`` to a row of J."""
     J[row, J.shape[1] - 1] += factor
     for q in range(count):
         J[row, at_s + q] += omega * factor
 
 
-def add_event(case, J, row, at, gained_by, theta, p, begun, gained):
-    """Add the derivatives of what `event` returns, each times a factor, to a row of J."""
+def add_event(case, J, row, at, gained_by, theta, p, of_value, of_change):
+    """Add to a row the derivatives of both results of `event`, times the last two factors."""
     kinds, numbers, setting, _, cell = case[:5]
     count, more = len(kinds), len(setting)
     at_w = at[count]
@@ -140,23 +138,23 @@ def add_event(case, J, row, at, gained_by, theta, p, begun, gained):
     for order in range(2):
         state, weight = kinds[p, OF_X + order], numbers[p, E_X + order]
         if state == AFTER:
-            J[row, at[q] + order] += begun * sign * weight
+            J[row, at[q] + order] += of_value * sign * weight
         else:
-            J[row, at[p] + order] += begun * weight
+            J[row, at[p] + order] += of_value * weight
         if state == AT_END and weight != 0:
-            add_joint(case, J, row, gained * weight, gained_by[p, order], at, p)
+            add_joint(case, J, row, of_change * weight, gained_by[p, order], at, p)
     for i in range(more):
-        J[row, at_w + i] += begun * numbers[p, MEMORY + more + i]
+        J[row, at_w + i] += of_value * numbers[p, MEMORY + more + i]
     if cell[2] != 0:
         weight = numbers[p, E_COS]
         before, behind = weight * sin(theta[p]), weight * sin(theta[p + 1])
-        if begun != gained:
-            add_angle(J, row, (gained - begun) * before, cell[1], at_w + more, p)
-        add_angle(J, row, -gained * behind, cell[1], at_w + more, p + 1)
+        if of_value != of_change:
+            add_angle(J, row, (of_change - of_value) * before, cell[1], at_w + more, p)
+        add_angle(J, row, -of_change * behind, cell[1], at_w + more, p + 1)
 
 
 def joint_rates(case, z, at, theta, gained_by, begins_by, J, row):
-    """Add the derivatives of `joints` to J from a row on, where it is zero."""
+    """Add the derivatives of `joints` to J, from `row` on; these rows of J are zero before."""
     kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
     at_w = at[count]

@@ -1,13 +1,13 @@
-"""The one integral of all expansions: moments of shifted Legendre polynomials with a cosine."""
+"""The integral of all expansions: moments of shifted Legendre polynomials with a cosine."""
 
 from math import cos, sin
 
 
 def spherical_bessel(x, j):
-    """Fill j with ``j_0(x), j_1(x), ...``, each to rounding: of any x, as steps of times go.
+    """Fill j with the spherical Bessel functions ``j_0(x), j_1(x), ...`` of any real x.
 
-    Upwards as far as that is stable, up to ``n = |x|``; beyond, by the ratios of neighbours
-    from the continued fraction downwards.
+    Upward recurrence as far as it is stable, to ``n = |x|``; beyond, ratios of neighbours by
+    downward recurrence.  Each value is exact to rounding.
     """
     count = len(j)
     if x == 0.0:
@@ -23,7 +23,7 @@ def spherical_bessel(x, j):
     if turn == count - 1:
         return
     top, left = count, 1.0
-    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+    while left > 1e-18:  # the part of an error of the ratio at `top` that is left at `count`
         top += 1
         q = 2 * top + 1
         left *= (x * q / (q * q - 2 * x * x)) ** 2
@@ -37,11 +37,11 @@ def spherical_bessel(x, j):
 
 
 def legendre_moments(kappa, theta, moments):
-    """Fill in the moments of cosines with shifted Legendre polynomials.
+    """Fill `moments` with those of cosines with shifted Legendre polynomials.
 
     moments : ndarray, shape (2, count)
-        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
-        turn on, with ``theta + pi/2``.
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same with
+        ``theta + pi/2``.
     """
     spherical_bessel(kappa / 2, moments[0])
     middle = kappa / 2 + theta

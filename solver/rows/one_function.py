@@ -1,8 +1,8 @@
-"""One function of class C^1 beside a Fourier series: (12), (14).
+"""A Fourier series and one function of class C^1: (12), (14).
 
-For a held phase and a free one without damping, which nothing forces.  What is here takes the
-place of what `whole_period` has for functions with a break; the coefficient of the function is
-an unknown of the switch that begins the held phase.
+For a scene of a held phase and a free one, without damping and forcing.  The functions here
+replace those of the same name in `whole_period` for functions with a break.  The coefficient of
+the function is the unknown of the switch that begins the held phase.
 """
 
 from math import pi
@@ -29,8 +29,8 @@ def function_series(held, free, rates):
     Returns
     -------
     ndarray, shape (2, 3 or 1, 4, 4)
-        On each phase the coefficients [n, l] with n = 3 for G, 2 for T G', 1 for T**2 G'';
-        behind them, if wanted, their derivatives by both durations.
+        For each phase the coefficients [n, l], with n = 3 for G, 2 for T G', 1 for T**2 G'';
+        then, with `rates`, their derivatives by both durations.
     """
     found = np.zeros((2, 3 if rates else 1, 4, 4))
     for r in range(found.shape[1]):
@@ -49,23 +49,23 @@ def function_series(held, free, rates):
 
 
 def at_end(series):
-    """Return a series of shifted Legendre polynomials where the phase ends."""
-    found = 0.0
+    """Return the value of a series of shifted Legendre polynomials at u = 1."""
+    value = 0.0
     for l in range(len(series)):
-        found = found + series[l]
-    return found
+        value = value + series[l]
+    return value
 
 
 def function_integrals(series, numbers, ends, count):
-    """Return the integrals over the period of ``m G'' + k G`` with harmonics.
+    """Return the integrals over the period of ``m G'' + k G`` times harmonics.
 
-    Integrals of Legendre polynomials are spherical Bessel functions.
+    Moments of Legendre polynomials with harmonics are spherical Bessel functions.
 
     Returns
     -------
     ndarray, shape (2, 3 or 1, count)
-        With the cosine and with the sine: the integrals, and if `series` has them their
-        derivatives by both durations.
+        Times the cosine and times the sine: the integrals and, if `series` has derivatives,
+        their derivatives by both durations.
     """
     rows, T = series.shape[1], ends[2]
     found, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
@@ -84,9 +84,9 @@ def function_integrals(series, numbers, ends, count):
             legendre_moments(w * s, w * t, moments)
             waves[0], waves[1, 0], waves[1, 1] = moments, -moments[1], moments[0]
             for wave in range(2):
-                own, turned = waves[wave, 0], waves[wave, 1]
+                moment, turned = waves[wave, 0], waves[wave, 1]
                 for l in range(4):
-                    found[wave, 0, column] += s * rho[0, l] * own[l]
+                    found[wave, 0, column] += s * rho[0, l] * moment[l]
                 for l in range(4 if rows > 1 else 0):
                     near = (l + 1) * turned[l + 1] + (l * turned[l - 1] if l > 0 else 0.0)
                     stretch = (turned[l] + near / (2 * l + 1)) / 2
@@ -94,17 +94,17 @@ def function_integrals(series, numbers, ends, count):
                         by_kappa = w * ((1.0 if r == q else 0.0) - s / T)
                         by_theta = w * ((1.0 if r < q else 0.0) - t / T)
                         slope = by_kappa * stretch + by_theta * turned[l]
-                        change = rho[1 + r, l] * own[l] + rho[0, l] * slope
-                        longer = rho[0, l] * own[l] if r == q else 0.0
+                        change = rho[1 + r, l] * moment[l] + rho[0, l] * slope
+                        longer = rho[0, l] * moment[l] if r == q else 0.0
                         found[wave, 1 + r, column] += s * change + longer
     return found
 
 
 def add_function(case, z, motion, ends, series, rows):
-    """Add the function to the rows of harmonics, and the row that is orthogonal to it."""
+    """Add the function's terms to the rows of harmonics, and the row tested with it."""
     numbers, N = case[1], motion.shape[1] - 1
-    own, at_s = 2 * N + 1, 2 * N + 2
-    c1 = z[own]
+    place, at_s = 2 * N + 1, 2 * N + 2
+    c1 = z[place]
     found = function_integrals(series, numbers, ends, N + 1)
     for wave in range(2):
         for i in range(N + 1):
@@ -112,55 +112,55 @@ def add_function(case, z, motion, ends, series, rows):
             for r in range(found.shape[1]):
                 value, column = found[1 - wave, r, i], at_s + r if r > 0 else 0
                 rows[row, column] += c1 * value
-                rows[own, column] += motion[wave, i] * value
+                rows[place, column] += motion[wave, i] * value
             if rows.shape[1] > 1:
-                rows[row, 1 + own] += found[1 - wave, 0, i]
-                rows[own, 1 + row] += found[1 - wave, 0, i]
+                rows[row, 1 + place] += found[1 - wave, 0, i]
+                rows[place, 1 + row] += found[1 - wave, 0, i]
     left = by_itself(numbers[1, M], numbers[1, K], z[at_s], z[at_s + 1])
     right = force_by(numbers[1, F], z[at_s], z[at_s + 1])
     for r in range(found.shape[1]):
-        rows[own, at_s + r if r > 0 else 0] += c1 * left[r] - right[r]
+        rows[place, at_s + r if r > 0 else 0] += c1 * left[r] - right[r]
     if rows.shape[1] > 1:
-        rows[own, 1 + own] += left[0]
+        rows[place, 1 + place] += left[0]
 
 
 def beside_series(z, ends, series, N, width):
-    """Return what displacement and velocity have beside the harmonics, as at `whole_period`.
+    """Return displacement and velocity of the function, laid out as in `whole_period`.
 
     Returns
     -------
     ndarray, shape (2, 2, 2, width)
-        Where each phase ends; no condition is on where it begins.
+        At the end of each phase; values at its begin are not needed, and are 0.
     """
-    own, at_s, T = 2 * N + 1, 2 * N + 2, ends[2]
+    place, at_s, T = 2 * N + 1, 2 * N + 2, ends[2]
     found = np.zeros((2, 2, 2, width))
     for p in range(2):
         for order in range(2):
             power = T if order == 1 else 1.0
             value = at_end(series[p, 0, 3 - order]) / power
-            found[p, 1, order, 0] = z[own] * value
+            found[p, 1, order, 0] = z[place] * value
             if width > 1:
-                found[p, 1, order, 1 + own] = value
+                found[p, 1, order, 1 + place] = value
             for r in range(1, series.shape[1]):
                 change = at_end(series[p, r, 3 - order]) / power - order / T * value
-                found[p, 1, order, at_s + r] = z[own] * change
+                found[p, 1, order, at_s + r] = z[place] * change
     return found
 
 
-def own(kinds, p):
-    """Return how many unknowns, and conditions, the switch that begins phase p has."""
+def unknowns_of_switch(kinds, p):
+    """Return the number of unknowns, and of conditions, of the switch that begins phase p."""
     return 1 if p == 0 else 0
 
 
 def add_forces(case, z, at_w, ends, period, integrals, N, rows):
-    """Take the integrals of the force, which is constant, with harmonics from their rows."""
+    """Subtract the integrals of the constant force times harmonics from their rows."""
     force = weighted_integrals(integrals, case[1][:, F], 0, ends, period)
     for r in range(force.shape[1]):
         add_force(force[0, r], force[1, r], 1.0, N, rows, at_w + r if r > 0 else 0)
 
 
 def add_beside(case, z, at, ends, motion, at_ends, series, rows):
-    """Add the function to the conditions; return what the state has beside the harmonics."""
+    """Add the function's terms to the rows; return its states, as from `beside_series`."""
     at_s = at[2]
     functions = function_series(z[at_s], z[at_s + 1], rows.shape[1] > 1)
     add_function(case, z, motion, ends, functions, rows)
@@ -168,6 +168,6 @@ def add_beside(case, z, at, ends, motion, at_ends, series, rows):
 
 
 def on_phase(case, z, at, ends, p):
-    """Return the functions beside the harmonics on a phase: factors and Legendre series."""
+    """Return coefficient and Legendre series of each function added to the harmonics."""
     at_s = at[2]
     return [(z[at[0]], function_series(z[at_s], z[at_s + 1], False)[p, 0, 3])]

@@ -1,7 +1,7 @@
-"""The residual of a motion is orthogonal to the harmonics of its period: (5), (6), (7).
+"""Galerkin conditions (5), (6), (7): the residual is orthogonal to the harmonics of the period.
 
-What is filled is `rows`: of each condition its left side and, if wanted, behind it the
-derivatives by all unknowns.
+Each of the `rows` has the residual of a condition in column 0 and, if there are more columns,
+its derivatives by all unknowns after it.
 """
 
 from math import cos, pi, sin
@@ -9,7 +9,7 @@ from math import cos, pi, sin
 import numpy as np
 
 from ...generated.hb import alone, by_time, of_forcing, products
-from .fourier import cosine_place, jumps, moved, number, odd
+from .fourier import cosine_place, jumps, number, odd, switch_rate
 from .harmonics import weighted_integrals
 from .joints import MEMORY, F, G, K, M
 
@@ -23,15 +23,18 @@ def is_same(numbers, column):
 
 
 def cycles_of(cell):
-    """Return how many periods of the forcing there are in the period."""
-    found = 0
-    while found * (1 if odd(cell[0]) else 2) < cell[2]:
-        found += 1
-    return found
+    """Return the number of periods of the forcing in the period."""
+    cycles = 0
+    while cycles * (1 if odd(cell[0]) else 2) < cell[2]:
+        cycles += 1
+    return cycles
 
 
 def highest_number(numbers, cell, last):
-    """Return the highest number of a harmonic that is integrated: of products, or forcing."""
+    """Return the highest number of a harmonic to be integrated, in products or in the forcing.
+
+    `last` is that of the motion.
+    """
     same = True
     for order in range(3):
         same = same and is_same(numbers, K - order)
@@ -39,10 +42,10 @@ def highest_number(numbers, cell, last):
 
 
 def add_harmonics(numbers, sign, motion, ends, period, integrals, at_s, rows):
-    """Add to (5), (6), (7) what the harmonics make of the left side of the equation.
+    """Add the integrals of ``m x'' + c x' + k x`` times harmonics, for x the harmonics.
 
-    Harmonics of a period, and odd ones over half of it, are orthogonal: where a coefficient is
-    the same on all phases, their products have no integral but those with themselves.
+    Harmonics over a period, and odd ones over half of it, are orthogonal: for a coefficient
+    that is the same on all phases, only squares have an integral.
     """
     for order in range(3):
         weight = numbers[0, K - order]
@@ -58,9 +61,10 @@ def add_harmonics(numbers, sign, motion, ends, period, integrals, at_s, rows):
 
 
 def add_products(C, S, order, sign, motion, rows, column):
-    """Add the integrals of a derivative of the motion with sines and cosines to a column.
+    """Add the integrals of a derivative of the motion times sines and cosines to a column.
 
-    To that of the left sides with, if there are columns for them, those by the amplitudes.
+    For column 0, their derivatives by the amplitudes are added as well, if rows have columns
+    for them.
     """
     count, wide = motion.shape[1], column == 0 and rows.shape[1] > 1
     N = count if odd(sign) else count - 1
@@ -85,10 +89,9 @@ def add_products(C, S, order, sign, motion, rows, column):
 
 
 def add_alone(whole, order, sign, motion, ends, at_s, rows):
-    """Add the same where only products of harmonics with themselves have an integral.
+    """Add the same integrals for a coefficient that is the same on all phases.
 
-    `whole` is the integral of the coefficient over the cell, with the power of omega_0 that
-    goes with the derivative.
+    `whole` is the integral of the coefficient over the cell, times ``omega_0^order``.
     """
     count, phases = motion.shape[1], len(ends) - 1
     N = count if odd(sign) else count - 1
@@ -113,7 +116,7 @@ def add_alone(whole, order, sign, motion, ends, at_s, rows):
 
 
 def add_forces(case, z, at_w, ends, period, integrals, N, rows):
-    """Add what constant force, memory and forcing make of the right side."""
+    """Subtract the integrals of constant force, memory and forcing times harmonics."""
     kinds, numbers, setting, _, cell = case[:5]
     more, at_s = len(setting), at_w + len(setting)
     if more > 0 or not is_same(numbers, F) or numbers[0, F] != 0:
@@ -139,14 +142,14 @@ def add_forces(case, z, at_w, ends, period, integrals, N, rows):
 
 
 def add_force(C, S, sign, N, rows, column):
-    """Take the integrals of a force with sines and cosines from their rows."""
+    """Subtract the integrals C, S of a force times cosines and sines from their rows."""
     for i in range(N if odd(sign) else N + 1):
         rows[i, column] -= S[number(sign, i)]
         rows[cosine_place(sign, N, i), column] -= C[number(sign, i)]
 
 
 def add_forcing(C, S, cosine, sine, cell, N, rows, column):
-    """Take those of the forcing from them, with its cosine and sine at the first switch."""
+    """Subtract the integrals of the forcing, given its cosine and sine at the first switch."""
     sign, cycles = cell[0], cycles_of(cell)
     for i in range(N if odd(sign) else N + 1):
         by_sine, by_cosine = of_forcing(number(sign, i), cycles, cosine, sine, C, S)
@@ -155,7 +158,7 @@ def add_forcing(C, S, cosine, sine, cell, N, rows, column):
 
 
 def add_impulses(case, z, at, ends, at_ends, N, rows):
-    """Take the impulses, where the velocity jumps, times the tests from their rows."""
+    """Subtract the impulses at jumps of the velocity, times the harmonics there."""
     kinds, numbers, setting, _, cell = case[:5]
     phases, at_s = len(kinds), at[len(kinds)] + len(setting)
     for p in range(phases):
@@ -167,4 +170,4 @@ def add_impulses(case, z, at, ends, at_ends, N, rows):
                     rows[row, 1 + at[p]] -= numbers[p, M] * at_ends[p, 0, wave, i]
                     rate = z[at[p]] * numbers[p, M] * at_ends[p, 1, wave, i]
                     for r in range(phases):
-                        rows[row, 1 + at_s + r] -= rate * moved(ends, r, p)
+                        rows[row, 1 + at_s + r] -= rate * switch_rate(ends, r, p)

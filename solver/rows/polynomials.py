@@ -1,6 +1,7 @@
 """Residual and Jacobian of a motion that is a polynomial on each phase, for any phases.
 
-A scene is arrays, as in `joints`.
+A case is arrays, as in `joints`.  The acceleration on a phase is ``sum d_n P_n*(u)`` in local
+time u.
 """
 
 import numpy as np
@@ -40,43 +41,43 @@ from .moments import legendre_moments
 
 
 def row(l, m, c, k, s):
-    """Return the coefficients of degree l of the residual: of x, v, d_(l-2) to d_(l+2)."""
+    """Return Legendre coefficient l of the residual: factors of x, v, d_(l-2), ..., d_(l+2)."""
     if l == 0:
         x, v, d0, d1, d2 = row_0(m, c, k, s)
         return x, v, 0.0, 0.0, d0, d1, d2
     if l == 1:
         v, d0, d1, d2, d3 = row_1(m, c, k, s)
         return 0.0, v, 0.0, d0, d1, d2, d3
-    below2, below, own, above, above2 = row_l(l, m, c, k, s)
-    return 0.0, 0.0, below2, below, own, above, above2
+    below2, below, middle, above, above2 = row_l(l, m, c, k, s)
+    return 0.0, 0.0, below2, below, middle, above, above2
 
 
 def row_by_s(l, m, c, k, s):
-    """Return their derivatives by the duration."""
+    """Return the derivatives of `row` by the duration."""
     if l == 0:
         x, v, d0, d1, d2 = row_0_by_s(m, c, k, s)
         return x, v, 0.0, 0.0, d0, d1, d2
     if l == 1:
         v, d0, d1, d2, d3 = row_1_by_s(m, c, k, s)
         return 0.0, v, 0.0, d0, d1, d2, d3
-    below2, below, own, above, above2 = row_l_by_s(l, m, c, k, s)
-    return 0.0, 0.0, below2, below, own, above, above2
+    below2, below, middle, above, above2 = row_l_by_s(l, m, c, k, s)
+    return 0.0, 0.0, below2, below, middle, above, above2
 
 
 def terms(kinds, p, N):
-    """Return how many d_n a phase has: N + k, or none where it is held."""
+    """Return the number of coefficients d_n of a phase: N + k, or 0 if it is held."""
     return N + kinds[p, CLASS] if kinds[p, FREE] else 0
 
 
 def tests(kinds, p, N):
-    """Return how many test functions a phase has."""
+    """Return the number of test functions of a phase."""
     return terms(kinds, p, N) + 1 - max(1, kinds[p, CLASS]) if kinds[p, FREE] else 0
 
 
 def places(kinds, N):
-    """Return where the unknowns of each phase begin, and those behind all phases.
+    """Return the index of the first unknown of each phase, and of the first after all phases.
 
-    Of each: x, v, the d_n, what no test sees.
+    Those of a phase are x, v, the d_n, and the coefficients of the polynomials `unseen`.
     """
     at = np.zeros(len(kinds) + 1, dtype=np.int64)
     for p in range(len(kinds)):
@@ -87,43 +88,43 @@ def places(kinds, N):
 def size(case, N):
     """Return the number of unknowns: of the phases, memory, durations, phase of the forcing."""
     kinds, _, setting, _, cell = case[:5]
-    found = len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
+    count = len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
     for p in range(len(kinds)):
-        found += 2 + terms(kinds, p, N) + kinds[p, BESIDE]
-    return found
+        count += 2 + terms(kinds, p, N) + kinds[p, BESIDE]
+    return count
 
 
 def order_of(case, z):
-    """Return the order from the number of unknowns."""
+    """Return the order N from the number of unknowns."""
     none = size(case, 0)
     return (len(z) - none) // (size(case, 1) - none)
 
 
-def rooms(kinds, N):
-    """Return room for angles and moments of the forcing, `ends` and their derivatives."""
+def workspace(kinds, N):
+    """Return arrays for angles and moments of the forcing, and for `fill_states`."""
     count, most, high = len(kinds), 2, 2
     for p in range(count):
         most = max(most, terms(kinds, p, N) + kinds[p, BESIDE])
         high = max(high, kinds[p, CLASS] + 1)
-    both, both_by = np.zeros((2, count, high)), np.zeros((2, count, high, 5 + most))
-    return np.empty(count + 1), np.empty((2, most + 1)), both, both_by
+    states, states_by = np.zeros((2, count, high)), np.zeros((2, count, high, 5 + most))
+    return np.empty(count + 1), np.empty((2, most + 1)), states, states_by
 
 
-def ends(case, z, at, N, both, both_by):
-    """Fill in what each phase gains, begins with, and their derivatives, for `joints`."""
+def fill_states(case, z, at, N, states, states_by):
+    """Fill `states` with `gained` and `begins` of `joints`, `states_by` with derivatives."""
     kinds, setting = case[0], case[2]
-    count, high = len(kinds), both.shape[2]
+    count, high = len(kinds), states.shape[2]
     for p in range(count):
         s, number = z[at[count] + len(setting) + p], terms(kinds, p, N)
         by, by_s = displacement_gained(s), displacement_gained_by_s(s)
         for i in range(1 + min(2, number)):
-            both[0, p, 0] += by[i] * z[at[p] + 1 + i]
-            both_by[0, p, 0, 0] += by_s[i] * z[at[p] + 1 + i]
-            both_by[0, p, 0, 4 + i] += by[i]
+            states[0, p, 0] += by[i] * z[at[p] + 1 + i]
+            states_by[0, p, 0, 0] += by_s[i] * z[at[p] + 1 + i]
+            states_by[0, p, 0, 4 + i] += by[i]
         if number > 0:
-            both[0, p, 1] = s * z[at[p] + 2]
-            both_by[0, p, 1, 0] = z[at[p] + 2]
-            both_by[0, p, 1, 5] = s
+            states[0, p, 1] = s * z[at[p] + 2]
+            states_by[0, p, 1, 0] = z[at[p] + 2]
+            states_by[0, p, 1, 5] = s
         for order in range(2, high):
             for n in range(number):
                 d = z[at[p] + 2 + n]
@@ -131,20 +132,20 @@ def ends(case, z, at, N, both, both_by):
                 rate = derivative_at_end_by_s(n, order - 2, s)
                 for side in range(2):
                     sign = -1.0 if side == 1 and (n + order) % 2 == 1 else 1.0
-                    both[side, p, order] += sign * weight * d
-                    both_by[side, p, order, 0] += sign * rate * d
-                    both_by[side, p, order, 5 + n] = sign * weight
+                    states[side, p, order] += sign * weight * d
+                    states_by[side, p, order, 0] += sign * rate * d
+                    states_by[side, p, order, 5 + n] = sign * weight
 
 
 def residual(case, z, R):
-    """Fill R with the left sides of the conditions."""
+    """Fill R with the residuals of all conditions."""
     kinds, numbers, setting, _, cell = case[:5]
     N = order_of(case, z)
     at = places(kinds, N)
-    theta, moments, found, by = rooms(kinds, N)
+    theta, moments, states, states_by = workspace(kinds, N)
     at_w, at_row = at[len(kinds)], 0
     fill_angles(case, z, at, theta)
-    for p in range(len(kinds)):  # the residual of each phase, less what no test sees
+    for p in range(len(kinds)):  # Legendre coefficients of the residual, less unseen ones
         m, c, k, f = numbers[p, M], numbers[p, C], numbers[p, K], numbers[p, F]
         number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
         s = z[at_w + len(setting) + p]
@@ -167,16 +168,16 @@ def residual(case, z, R):
                 value = value - m * unseen(rows + i, l, kinds[p, CLASS]) * tau
             R[at_row] = value
             at_row += 1
-    ends(case, z, at, N, found, by)
-    joints(case, z, at, theta, found[0], found[1], R, at_row)
+    fill_states(case, z, at, N, states, states_by)
+    joints(case, z, at, theta, states[0], states[1], R, at_row)
 
 
 def jacobian(case, z, J):
-    """Fill J with their derivatives."""
+    """Fill J with the derivatives of `residual` by all unknowns."""
     kinds, numbers, setting, _, cell = case[:5]
     N = order_of(case, z)
     at = places(kinds, N)
-    theta, moments, found, by = rooms(kinds, N)
+    theta, moments, states, states_by = workspace(kinds, N)
     at_w, at_row = at[len(kinds)], 0
     at_s = at_w + len(setting)
     fill_angles(case, z, at, theta)
@@ -199,26 +200,26 @@ def jacobian(case, z, J):
             for i in range(len(setting) if l == 0 else 0):
                 J[at_row, at_w + i] -= numbers[p, MEMORY + i]
             if forced:
-                before, own, after = moment_by_kappa(l)
-                change = own * moments[1, l] + after * moments[1, l + 1]
-                change = change + (before * moments[1, l - 1] if l > 0 else 0.0)
+                below, middle, above = moment_by_kappa(l)
+                change = middle * moments[1, l] + above * moments[1, l + 1]
+                change = change + (below * moments[1, l - 1] if l > 0 else 0.0)
                 J[at_row, at_s + p] -= of_moment(l, g * cell[1] * change)
                 add_angle(J, at_row, -of_moment(l, g * moments[1, l]), cell[1], at_s, p)
             for i in range(max(0, l - rows), left):
                 weight = unseen(rows + i, l, kinds[p, CLASS])
                 J[at_row, at[p] + 2 + number + i] -= m * weight
             at_row += 1
-    ends(case, z, at, N, found, by)
-    joint_rates(case, z, at, theta, by[0], by[1], J, at_row)
+    fill_states(case, z, at, N, states, states_by)
+    joint_rates(case, z, at, theta, states_by[0], states_by[1], J, at_row)
 
 
 def integrated(d):
-    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
-    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
-    found[1:] += half
-    found[:-2] -= half[1:]
-    found[0] += half[0]
-    return found
+    """Return the integral from 0 of a series of shifted Legendre polynomials, as a series."""
+    integral, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    integral[1:] += half
+    integral[:-2] -= half[1:]
+    integral[0] += half[0]
+    return integral
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -229,7 +230,7 @@ def phase_motion(x, v, d, s, u, derivative):
     x, v : float
         The state in which the phase begins.
     d : ndarray
-        Coefficients of the acceleration; empty where there is none.
+        Coefficients of the acceleration; empty if it is zero.
     s : float
         Duration of the phase.
     u : ndarray

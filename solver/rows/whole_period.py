@@ -1,10 +1,11 @@
 """Residual and Jacobian of a motion that is one series over the whole period, for any phases.
 
-A scene is arrays, as in `joints`.  Unknowns are the constant, which is twice the mean, but for
-half a period; sines and cosines; then what belongs to the switch that begins each phase:
-coefficients of functions with a break there, or, with none, the jump of the velocity where it
-jumps; then the memory, the durations, and the phase of the forcing.  Conditions are in this
-sequence, too: harmonics, switches, events, memory, the duration of the cell.
+A case is arrays, as in `joints`.  The unknowns are the constant, twice the mean, unless the
+cell is half a period; the amplitudes of sines and cosines; for the switch that begins each
+phase the coefficients of functions with a break there or, without such functions, the jump of
+the velocity if it jumps; then the memories, the durations, and the phase of the forcing.
+Conditions are in the same sequence: harmonics, switches, events, memories, the duration of the
+cell.  `rows` are those of `orthogonality`.
 """
 
 from math import cos, pi, sin
@@ -15,15 +16,15 @@ from ...generated.hb import by_time
 from .breaking import add_break_states, add_breaks, break_tables, harmonic_moments, top
 from .fourier import (
     amplitudes,
-    beside,
     jumps,
     legendre_on_phase,
     number,
     odd,
-    own,
     places,
     series_at_ends,
     times,
+    unknowns_beside,
+    unknowns_of_switch,
     waves,
 )
 from .harmonics import harmonic_integrals, series_on_phase
@@ -40,36 +41,37 @@ def highest_derivative(kinds):
 
 
 def beside_series(kinds, sign, z, at, highest, width):
-    """Return what derivatives have beside the series where each phase begins and ends.
+    """Return the derivatives at begin and end of each phase, less those of the series.
 
     Returns
     -------
     ndarray, shape (P, 2, highest + 1, width)
-        As in `series_at_ends`; of a velocity that jumps the series has the mean.
+        The last two axes as in `series_at_ends`.  Half of each jump of the velocity on either
+        side, for the series has the mean there.
     """
     phases = len(kinds)
-    found = np.zeros((phases, 2, highest + 1, width))
+    others = np.zeros((phases, 2, highest + 1, width))
     for q in range(phases):
         if jumps(kinds, q):
             p, before = (q - 1, -0.5) if q > 0 else (phases - 1, -0.5 * sign)
-            found[q, 0, 1, 0] += 0.5 * z[at[q]]
-            found[p, 1, 1, 0] += before * z[at[q]]
+            others[q, 0, 1, 0] += 0.5 * z[at[q]]
+            others[p, 1, 1, 0] += before * z[at[q]]
             if width > 1:
-                found[q, 0, 1, 1 + at[q]] = 0.5
-                found[p, 1, 1, 1 + at[q]] = before
-    return found
+                others[q, 0, 1, 1 + at[q]] = 0.5
+                others[p, 1, 1, 1 + at[q]] = before
+    return others
 
 
 def add_state(rows, row, factor, series, others, p, side, order):
-    """Add a factor times a derivative where a phase begins or ends to a row."""
+    """Add a factor times a derivative at the begin (side 0) or end (1) of phase p to a row."""
     for i in range(rows.shape[1] if factor != 0 else 0):
         rows[row, i] += factor * (series[p + side, order, i] + others[p, side, order, i])
 
 
 def add_jump(rows, row, after, before, sign, series, others, q, order):
-    """Add the jump of a derivative where phase q begins, with a factor after and before it.
+    """Add `after` times a derivative after the begin of phase q, less `before` times before.
 
-    The series has none: with equal factors it is not there, however large the derivative is.
+    The series is continuous: with equal factors it is left out, which avoids cancellation.
     """
     p, left = (q - 1, before) if q > 0 else (len(others) - 1, sign * before)
     for i in range(rows.shape[1]):
@@ -79,7 +81,7 @@ def add_jump(rows, row, after, before, sign, series, others, q, order):
 
 
 def add_force_rate(case, z, at_w, ends, rows, row, factor, p, side, order):
-    """Take a factor times the force of a phase, differentiated to this order, from a row."""
+    """Subtract a factor times a derivative by time of the force on phase p from a row."""
     _, numbers, setting, _, cell = case[:5]
     rates = rows.shape[1] > 1
     if order == 0:
@@ -100,12 +102,16 @@ def add_force_rate(case, z, at_w, ends, rows, row, factor, p, side, order):
 
 
 def add_switches(case, z, at, ends, series, others, rows):
-    """Add the law of each jump of the velocity, and the jumps that the equation demands."""
+    """Add the law of each jump of the velocity, and the differentiated equation of motion.
+
+    The equation, differentiated ``order - 2`` times, holds on both sides of a switch: its jump
+    determines that of derivative ``order``.
+    """
     kinds, numbers, _, _, cell = case[:5]
     at_w = at[len(kinds)]
     for q in range(len(kinds)):
         p, sign = (q - 1, 1.0) if q > 0 else (len(kinds) - 1, cell[0])
-        for i in range(own(kinds, q)):
+        for i in range(unknowns_of_switch(kinds, q)):
             row, order = at[q] + i, kinds[q, CLASS] + 1 + i
             if order == 1:
                 rows[row, 0] -= sign * numbers[p, JUMP]
@@ -119,7 +125,7 @@ def add_switches(case, z, at, ends, series, others, rows):
 
 
 def add_closure(case, z, at_w, ends, series, others, rows):
-    """Add the events, what each memory is set to, and the duration of the cell."""
+    """Add the conditions of events, memories, and the duration of the cell."""
     kinds, numbers, setting, memory, cell = case[:5]
     count, more, rates = len(kinds), len(setting), rows.shape[1] > 1
     at_s = at_w + more
@@ -151,7 +157,7 @@ def add_closure(case, z, at_w, ends, series, others, rows):
 
 
 def add_cosine(rows, row, factor, z, ends, omega, at_s, q):
-    """Add a factor times the forcing where phase q begins, or the last one ends, to a row."""
+    """Add a factor times the cosine of the forcing at the begin of phase q to a row."""
     if factor != 0:
         angle = z[len(z) - 1] + omega * ends[q]
         rows[row, 0] += factor * cos(angle)
@@ -160,9 +166,9 @@ def add_cosine(rows, row, factor, z, ends, omega, at_s, q):
 
 
 def add_beside(case, z, at, ends, motion, at_ends, series, rows):
-    """Add what stands beside the harmonics, and its conditions; return its states.
+    """Add the functions with a break, and the conditions of switches, to the rows.
 
-    They are as from `beside_series`.
+    Return the states of these functions, as from `beside_series`.
     """
     kinds, sign, count, N = case[0], case[4][0], motion.shape[1], at[0] // 2
     others = beside_series(kinds, sign, z, at, at_ends.shape[1] - 1, rows.shape[1])
@@ -177,10 +183,10 @@ def add_beside(case, z, at, ends, motion, at_ends, series, rows):
 
 
 def fill(case, z, rows):
-    """Fill rows, which are zero, with the left sides of the conditions and derivatives."""
+    """Fill `rows`, which are zero, with the residuals of all conditions and derivatives."""
     kinds, numbers, setting, _, cell = case[:5]
     sign, phases, rates = cell[0], len(kinds), rows.shape[1] > 1
-    N = (len(z) - beside(case)) // 2
+    N = (len(z) - unknowns_beside(case)) // 2
     at = places(case, N)
     at_s = at[phases] + len(setting)
     ends, period = times(z, at_s, sign, phases)
@@ -200,13 +206,13 @@ def fill(case, z, rows):
 
 
 def residual(case, z, R):
-    """Fill R with the left sides of the conditions."""
+    """Fill R with the residuals of all conditions."""
     R[:] = 0.0
     fill(case, z, R.reshape((len(R), 1)))
 
 
 def jacobian(case, z, J):
-    """Fill J with their derivatives."""
+    """Fill J with the derivatives of `residual` by all unknowns."""
     rows = np.zeros((len(z), 1 + len(z)))
     fill(case, z, rows)
     J[:, :] = rows[:, 1:]
@@ -217,7 +223,7 @@ def motion(case, z, p, u, derivative):
     kinds, sign, count = case[0], case[4][0], len(case[0])
     if not 0 <= p < count:
         raise IndexError("p")
-    N = (len(z) - beside(case)) // 2
+    N = (len(z) - unknowns_beside(case)) // 2
     at = places(case, N)
     ends, period = times(z, at[count] + len(case[2]), sign, count)
     (a, b), s = amplitudes(z, sign, N), ends[p + 1] - ends[p]
@@ -225,16 +231,16 @@ def motion(case, z, p, u, derivative):
     q, turned = (p + 1, 1.0) if p + 1 < count else (0, sign)
     begins = z[at[p]] if jumps(kinds, p) else 0.0
     leaves = turned * z[at[q]] if jumps(kinds, q) else 0.0
-    found = series_on_phase(
+    values = series_on_phase(
         0.0, a, b, numbers, 2 * pi / period, ends[p], s, begins, leaves, u, derivative
     )
     for factor, series in on_phase(case, z, at, ends, p):
-        found = found + factor * legendre_on_phase(series, s, u, derivative)
-    return found
+        values = values + factor * legendre_on_phase(series, s, u, derivative)
+    return values
 
 
 def on_phase(case, z, at, ends, p):
-    """Return the functions beside the harmonics on a phase: factors and Legendre series."""
+    """Return coefficient and Legendre series of each function added to the harmonics."""
     kinds, sign = case[0], case[4][0]
     series = break_tables(kinds, sign, ends)[0]
     return [

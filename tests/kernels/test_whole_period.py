@@ -53,7 +53,7 @@ def unknowns(module, arrays, order, seed=0):
     """Return unknowns of which each is of moderate size."""
     drawn = np.random.default_rng(seed)
     harmonics = (order + 1) // 2 if module.odd(arrays.cell[0]) else order
-    z = drawn.normal(size=module.beside(arrays) + 2 * harmonics)
+    z = drawn.normal(size=module.unknowns_beside(arrays) + 2 * harmonics)
     times = len(arrays.kinds) + int(arrays.cell[2] != 0)
     z[-times:] = drawn.uniform(0.5, 1.5, times)
     return z
