@@ -1,16 +1,16 @@
 """Newton's method on coefficients and times of any scene, plain or compiled.
 
-Damped by the natural monotonicity test, and with limits that keep the
-times meaningful: no step changes a duration by more than 40 %, nor the phase of the forcing by
-more than 0.8 rad.  The rows are scaled to a largest entry of 1 before they are solved:
-conditions of different physical kind stand beside each other, and pivots are chosen by size.
+It is damped by the natural monotonicity test.  Limits keep the times meaningful: no step
+changes a duration by more than 40 %, nor the phase of the forcing by more than 0.8 rad.  Rows
+of the Jacobian are scaled to a largest entry of 1, for pivots are chosen by size and the
+conditions have different physical units.
 
-The test looks at the correction that follows with the same Jacobian.  While that shrinks fast
-it is taken as well: a residual and a solution cost less than half of a Jacobian and its
-factors, and each such step adds one to the order of convergence.
+The test needs the simplified Newton correction, that of the next residual with the same
+Jacobian.  While it is much smaller than the one before, it is applied as well: this costs less
+than half of a new Jacobian, and raises the order of convergence by one each time.
 
-The functions that stand here with no body are those of the kernel that `linking` links this
-module to.
+Functions without a body here are replaced by those of a kernel, to which `linking` links this
+module.
 """
 
 from collections.abc import Callable
@@ -21,26 +21,26 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from .linear import factorise, solve_factorised
 
-#: Corrections of the times below this part of the cell cannot be improved in float64.
+#: Rounding level of corrections of the times, relative to the cell.
 ROUNDOFF = 4.0 * np.finfo(float).eps
 
-#: Corrections below this have squares below rounding: what is left is only rounding.
+#: Corrections below this have squares below rounding: a further one is only rounding.
 SETTLED = 1e-8
 
-#: Least size against which coefficients are measured, without units: where a motion is at rest
-#: at 0 at all its switches, the states there are nothing but rounding.
+#: Least scale of coefficients, without units: the states of a motion that is at rest at 0 at
+#: all its switches are only rounding.
 LEAST = 1e-6
 
 #: Smallest damping factor; below it the iteration has failed.
 SMALLEST_STEP = 2.0**-12
 
-#: Most that a step changes: a duration, as a part of it; the phase of the forcing, in rad.
+#: Largest change in a step: of a duration, relative to it; of the phase of the forcing, in rad.
 DURATION_STEP, ANGLE_STEP = 0.4, 0.8
 
-#: A correction that is at most this part of the one before is taken with the same Jacobian.
+#: Largest ratio of a simplified Newton correction to the one before with which it is applied.
 FAST = 0.125
 
-#: After a last correction that is larger, the residual is evaluated once more.
+#: After a last correction above this, the residual is evaluated once more.
 AGAIN = ROUNDOFF
 
 CONVERGED, OVERFLOW, SINGULAR, NO_DESCENT, TOO_MANY = range(5)
@@ -49,35 +49,35 @@ Iteration = Callable[[Any, Vector, int], tuple[int, int, float, float]]
 
 
 def residual(case: Any, z: Vector, R: Vector) -> None:
-    """Stand for the residual of the kernel."""
+    """Fill R with the residual; a placeholder for that of the kernel."""
     raise NotImplementedError
 
 
 def jacobian(case: Any, z: Vector, J: Matrix) -> None:
-    """Stand for the Jacobian of the kernel."""
+    """Fill J with the Jacobian; a placeholder for that of the kernel."""
     raise NotImplementedError
 
 
 def times_of(case: Any) -> tuple[int, int]:
-    """Stand for how many durations are unknown, and 1 if phi is, else 0."""
+    """Return the number of unknown durations, and 1 if forced, else 0; a placeholder."""
     raise NotImplementedError
 
 
 def greatest(values: Vector, first: int, last: int) -> float:
-    """Return the largest modulus from `first` up to `last`; not a number if an entry is not."""
-    found = 0.0
+    """Return the largest modulus of ``values[first:last]``; NaN if one of them is."""
+    largest = 0.0
     for i in range(first, last):
         size = abs(values[i])
-        if size > found or np.isnan(size):
-            found = size
-    return found
+        if size > largest or np.isnan(size):
+            largest = size
+    return largest
 
 
 def step_size(step: Vector, z: Vector, durations: int, forced: int) -> tuple[float, float]:
-    """Return the size of a step, and that of its times alone.
+    """Return the relative size of a step, and that of its times alone.
 
-    Times are measured as a part of the cell, or of those of its durations that are unknown,
-    and of a turn; coefficients against the largest, or `LEAST`.
+    Durations are relative to the sum of the unknown ones, the phase of the forcing to a turn,
+    coefficients to the largest of them, or `LEAST`.
     """
     last = len(z) - forced
     first, cell = last - durations, 0.0
@@ -91,7 +91,7 @@ def step_size(step: Vector, z: Vector, durations: int, forced: int) -> tuple[flo
 
 
 def longest_damping(step: Vector, z: Vector, durations: int, forced: int) -> float:
-    """Return the damping that keeps a step within the limits of the times."""
+    """Return the largest damping factor, at most 1, that keeps the limits of the times."""
     last = len(z) - forced
     excess = 1.0
     for i in range(last - durations, last):
@@ -102,7 +102,7 @@ def longest_damping(step: Vector, z: Vector, durations: int, forced: int) -> flo
 
 
 def scale_rows(J: Matrix, scales: Vector) -> None:
-    """Divide each row by its largest entry, which `scales` keeps."""
+    """Divide each row of J by its largest modulus, and fill `scales` with these."""
     n = len(J)
     for i in range(n):
         row, largest = J[i], 0.0
@@ -116,24 +116,27 @@ def scale_rows(J: Matrix, scales: Vector) -> None:
 
 
 def correct(J: Matrix, rows: Any, scales: Vector, R: Vector, step: Vector) -> None:
-    """Fill `step` with the correction of a residual, by a Jacobian scaled and factorised."""
+    """Fill `step` with the Newton correction of a residual R.
+
+    `J`, `rows`: factors and exchanges of the Jacobian; `scales`: those of its rows.
+    """
     for i in range(len(R)):
         step[i] = -(R[i] / scales[i])
     solve_factorised(J, rows, step)
 
 
-def add(z: Vector, factor: float, step: Vector, found: Vector) -> None:
-    """Fill `found` with ``z + factor * step``."""
+def add(z: Vector, factor: float, step: Vector, result: Vector) -> None:
+    """Fill `result` with ``z + factor * step``."""
     for i in range(len(z)):
-        found[i] = z[i] + factor * step[i]
+        result[i] = z[i] + factor * step[i]
 
 
 def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
     """Solve ``residual(case, z) = 0`` from `z`, which is overwritten.
 
-    It ends where all corrections are small and that of the times, or the one that would
-    follow, is at rounding level or no longer falls.  Returned are the status, 0 if converged,
-    the Jacobians factorised, the last correction of the times, and the norm of the residual.
+    It ends when all corrections are small, and that of the times is at rounding level or no
+    longer decreases.  Return the status, 0 if converged; the number of Jacobians factorised;
+    the last correction of the times; and the maximum norm of the residual.
     """
     n = len(z)
     J, rows, vectors = np.empty((n, n)), np.empty(n, dtype=np.int64), np.empty((5, n))
@@ -143,7 +146,7 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
 def iterate_within(
     case: Any, z: Vector, limit: int, J: Matrix, rows: Any, vectors: Matrix
 ) -> tuple[int, int, float, float]:
-    """Do so within room for a Jacobian, its exchanges and five vectors."""
+    """Do the same as `iterate_scene` in the workspace of J, its exchanges and five vectors."""
     n, (durations, forced) = len(z), times_of(case)
     R, scales, step = vectors[0, :n], vectors[1, :n], vectors[2, :n]
     following, trial = vectors[3, :n], vectors[4, :n]

@@ -1,7 +1,7 @@
-"""LU factors of small systems, and products, as Python that numba compiles with the kernel.
+"""LU factors, least squares and products of small matrices, compiled with the kernel by numba.
 
 At forty unknowns LAPACK is no faster, and its call from Python takes longer.  Zeros below the
-diagonal, of which bands and borders have many, cost nothing.
+diagonal, of which banded and bordered matrices have many, cost nothing.
 """
 
 from typing import Any
@@ -10,15 +10,15 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 
-#: A column of numbers of size 1 that is no longer than this is nothing but rounding.
+#: Norm below which a column with entries of size 1 is only rounding.
 NOTHING = 1e-13
 
 
 def factorise(A: Matrix, rows: Any) -> bool:
-    """Factorise `A` in place, P A = L U with partial pivoting; whether it is regular.
+    """Factorise `A` in place, P A = L U with partial pivoting; return whether it is regular.
 
     rows : ndarray of int, shape (n,)
-        Filled with the row that was exchanged with each.
+        Filled with the index of the pivot row of each step.
     """
     n = len(A)
     for k in range(n):
@@ -45,7 +45,7 @@ def factorise(A: Matrix, rows: Any) -> bool:
 
 
 def solve_factorised(A: Matrix, rows: Any, b: Vector) -> None:
-    """Overwrite `b` with the solution for the factors and exchanges of `factorise`."""
+    """Overwrite `b` with the solution of A x = b, for the factors and pivots of `factorise`."""
     n = len(A)
     for k in range(n):
         pivot = rows[k]
@@ -65,10 +65,10 @@ def solve_factorised(A: Matrix, rows: Any, b: Vector) -> None:
 
 
 def least_squares(A: Matrix, count: int, x: Vector) -> None:
-    """Fill `x` with the solution of least residual, by Householder's reflections.
+    """Fill `x` with the least-squares solution, by Householder reflections.
 
-    The first `count` columns of `A` are the matrix, the next is the right side; overwritten.
-    A column that adds nothing to those before it gets zero.
+    The first `count` columns of `A` are the matrix, the next is the right side; `A` is
+    overwritten.  The unknown of a column that depends on those before it is set to zero.
     """
     rows = len(A)
     for k in range(count):
@@ -96,21 +96,21 @@ def least_squares(A: Matrix, count: int, x: Vector) -> None:
 
 
 def product(steps: Vector, sizes: Vector) -> tuple[Matrix, Matrix]:
-    """Return the product of matrices, and what its rounding errors are parts of.
+    """Return the product of matrices, the last one leftmost, and the scale of its rounding.
 
-    The rounding of each, a part of its `sizes`, goes with what comes before and behind it: the
-    product of all sizes would grow with every phase, whatever the product itself does.
+    The rounding error of each factor, relative to its `sizes`, is propagated through the other
+    factors themselves: a product of all sizes would grow with every phase.
 
     Parameters
     ----------
     steps, sizes : ndarray, shape (P, n, n)
     """
     count, n = len(steps), steps.shape[1]
-    before, behind, size = np.empty((count + 1, n, n)), np.eye(n), np.zeros((n, n))
-    before[0] = behind
+    before, after, size = np.empty((count + 1, n, n)), np.eye(n), np.zeros((n, n))
+    before[0] = after
     for p in range(count):
         before[p + 1] = np.dot(steps[p], before[p])
     for p in range(count - 1, -1, -1):
-        size += np.dot(np.abs(behind), np.dot(sizes[p], np.abs(before[p])))
-        behind = np.dot(behind, steps[p])
+        size += np.dot(np.abs(after), np.dot(sizes[p], np.abs(before[p])))
+        after = np.dot(after, steps[p])
     return before[count], size

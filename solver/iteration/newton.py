@@ -1,4 +1,4 @@
-"""Newton's method for a kernel of a scene, and where it ended."""
+"""Newton's method for a kernel of a scene, and its outcome."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +10,7 @@ from .iteration import CONVERGED, Iteration
 
 ITERATION_LIMIT = 40
 
-#: By the status that the iteration returns.
+#: Why the iteration ended, by its status.
 REASONS = (
     "converged",
     "the equations overflow",
@@ -22,7 +22,21 @@ REASONS = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """Where an iteration ended, on coefficients and times."""
+    """The result of Newton's method.
+
+    Parameters
+    ----------
+    unknowns : ndarray
+        Coefficients or states, then times; without units.
+    iterations : int
+        Jacobians factorised.
+    correction : float
+        Last correction of the times, relative to the cell and to a turn.
+    residual_norm : float
+        Maximum norm of the residual.
+    reason : str
+        One of `REASONS`.
+    """
 
     unknowns: Vector
     converged: bool

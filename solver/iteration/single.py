@@ -1,12 +1,12 @@
-"""Newton's method where a single duration is unknown, as Python that numba compiles.
+"""Newton's method and inverse interpolation for a single unknown duration, compiled by numba.
 
-The first step is Newton's.  Each residual after it is a further point of the inverse function,
-the duration by the residual; the polynomial through all of them, with the slope at the first,
-is at 0 the next iterate.  Its error is of the size of the product of all errors before, that of
-the first squared, and no derivative is formed again.  Where corrections do not shrink fast, it
-begins anew with Newton's step, damped and limited as in `iteration`.
+The first step is Newton's.  Each further residual is a point of the inverse function, duration
+against residual.  The next iterate is the value at 0 of the Hermite interpolant through all
+points, with the slope at the first.  Its error is of the order of the product of all earlier
+errors, the first squared, without a new derivative.  If corrections do not decrease fast, the
+method restarts with a Newton step, damped and limited as in `iteration`.
 
-``residual`` and ``jacobian`` are those that `linking` links it to.
+`linking` links ``residual`` and ``jacobian`` to those of a kernel.
 """
 
 from typing import Any
@@ -26,39 +26,39 @@ from .iteration import (
     TOO_MANY,
 )
 
-#: A correction that is at most this part of the one before is taken without a derivative.
+#: Largest ratio of a correction to the one before with which interpolation goes on.
 FAST = 0.5
 
-#: Most points of the inverse function; they are used up by rounding long before.
+#: Most points of the inverse function; rounding ends the iteration long before.
 POINTS = 8
 
-#: What is expected to be left of an error where the iteration ends, as a part of `ROUNDOFF`.
+#: Expected error at which the iteration ends, in units of `ROUNDOFF`.
 LEFT = 1 / 16
 
 
 def residual(work: Any, y: float) -> float:
-    """Stand for the residual of the kernel."""
+    """Return the residual; a placeholder for that of the kernel."""
     raise NotImplementedError
 
 
 def jacobian(work: Any, y: float) -> float:
-    """Stand for its derivative, where the residual was evaluated last."""
+    """Return the derivative at the last point of `residual`; a placeholder."""
     raise NotImplementedError
 
 
 def limited(step: float, y: float) -> float:
-    """Return the damping that keeps a step within the limit of a duration."""
+    """Return the largest damping factor, at most 1, that keeps the limit of a duration."""
     return min(1.0, DURATION_STEP * abs(y) / max(abs(step), 1e-300))
 
 
 def iterate_single(
     work: Any, y: float, limit: int, points: Vector, differences: Vector
 ) -> tuple[int, int, float, float, float]:
-    """Solve ``residual(work, y) = 0`` from `y`; there is room for `POINTS` of them.
+    """Solve ``residual(work, y) = 0`` from `y`, with workspace for `POINTS` points.
 
-    It ends where the correction that would follow is at rounding level, or corrections no
-    longer fall; the last evaluation is at the solution.  Returned are status, derivatives, that
-    correction, norm of the residual, and solution; see `iteration.iterate_scene`.
+    It ends when the next correction is at rounding level, or corrections no longer decrease;
+    the last evaluation is at the solution.  Return the status, the number of derivatives, that
+    correction, the modulus of the residual, and the solution; see `iteration.iterate_scene`.
     """
     value, damping, previous, correction = residual(work, y), 1.0, np.inf, np.inf
     for iteration in range(1, limit + 1):
@@ -86,8 +86,8 @@ def iterate_single(
         previous = length
         if damping < 1:
             continue
-        # divided differences of the inverse function, over the newest points first; the first
-        # point stands there twice, for its slope
+        # divided differences of the inverse function, newest points first; the first point
+        # counts twice, for its slope
         differences[0], differences[1] = begin, 1.0 / slope
         for count in range(2, POINTS):
             points[count] = value
