@@ -1,12 +1,12 @@
 """Divided differences of ``exp(z t)`` by z, for nodes that may be far apart or equal.
 
 Every response of a linear oscillator is one of them: with the roots ``a, b`` of its
-characteristic equation, ``exp[a, b]`` is what an impulse does, ``exp[a, b, 0]`` a constant
-force and ``exp[a, b, i Omega]`` a harmonic one.  They are entire functions of the nodes: no
-case of equal roots, of no stiffness or of resonance is special.
+characteristic equation, ``exp[a, b]`` is the response to an impulse, ``exp[a, b, 0]`` to a
+constant force and ``exp[a, b, i Omega]`` to a harmonic one.  They are entire functions of the
+nodes: equal roots, zero stiffness and resonance are no special cases.
 
-They are here at one time, and at many: a call of NumPy takes longer than one of these numbers.
-Those at one time are compiled by numba with the exact equations.
+Functions for one time are plain Python, as a call of NumPy takes longer than one number; numba
+compiles them with the exact equations.  Functions named ``..._at`` are for arrays of times.
 """
 
 import cmath
@@ -29,7 +29,7 @@ LARGEST = 709.0
 
 
 def exp(z: complex) -> complex:
-    """Return ``exp(z)``; where that is beyond float64, infinite or not a number."""
+    """Return ``exp(z)``; on overflow infinity or NaN, and no error."""
     if abs(z.imag) < math.inf:
         size = math.exp(z.real) if z.real <= LARGEST else math.inf
         return complex(size * math.cos(z.imag), size * math.sin(z.imag))
@@ -37,7 +37,7 @@ def exp(z: complex) -> complex:
 
 
 def expm1(z: complex) -> complex:
-    """Return ``exp(z) - 1`` to its own digits, where the exponential does not overflow."""
+    """Return ``exp(z) - 1`` without cancellation; on overflow ``exp(z)``."""
     if not (z.real <= LARGEST and abs(z.imag) < math.inf):
         return exp(z)
     half = max(z.real, -LARGEST) / 2
@@ -47,7 +47,7 @@ def expm1(z: complex) -> complex:
 
 
 def of_two(a: complex, b: complex, t: float) -> complex:
-    """Return ``(exp(a t) - exp(b t))/(a - b)`` for a time, also where ``a = b``."""
+    """Return the first divided difference ``(exp(a t) - exp(b t))/(a - b)``, also for a = b."""
     half = (a - b) / 2 * t
     square = half.real * half.real + half.imag * half.imag
     if square > 1:
@@ -59,8 +59,8 @@ def of_two(a: complex, b: complex, t: float) -> complex:
 def of_three(a: complex, b: complex, c: complex, t: float) -> complex:
     """Return the second divided difference of ``exp(z t)`` at nodes `a`, `b`, `c`.
 
-    Where the nodes are close, by the series in complete symmetric polynomials about their
-    mean; elsewhere by the quotient over the two that are farthest apart.
+    For close nodes it is the series in complete symmetric polynomials about their mean; else
+    the quotient by the difference of the two that are farthest apart.
     """
     a, b, c = farthest_first(a, b, c)
     if not abs(a - c) * t <= 1:
@@ -71,7 +71,7 @@ def of_three(a: complex, b: complex, c: complex, t: float) -> complex:
 
 
 def of_close(a: complex, b: complex, c: complex, t: Any) -> Any:
-    """Return the second divided difference at close nodes of mean 0, for a time or many."""
+    """Return the second divided difference at close nodes of mean 0, for one or many times."""
     pairs, product = a * b + b * c + c * a, a * b * c
     before, last, now = 0j, 0j, 1 + 0j  # complete symmetric polynomials, degree j - 2 to j
     power, total = t * t / 2, 0j
@@ -83,7 +83,7 @@ def of_close(a: complex, b: complex, c: complex, t: Any) -> Any:
 
 
 def farthest_first(a: complex, b: complex, c: complex) -> tuple[complex, complex, complex]:
-    """Return three nodes in turn, the two that are farthest apart at the ends."""
+    """Return three nodes, reordered so that the first and last are farthest apart."""
     ab, bc, ca = abs(a - b), abs(b - c), abs(c - a)
     if ca >= ab and ca >= bc:
         return a, b, c
@@ -116,5 +116,6 @@ def of_three_at(a: complex, b: complex, c: complex, t: Vector) -> Waves:
 
 
 def _near(a: complex, b: complex, c: complex, t: Vector) -> Waves:
+    """Return `of_three` at times `t` by the series for close nodes."""
     mean = (a + b + c) / 3
     return np.asarray(np.exp(mean * t) * of_close(a - mean, b - mean, c - mean, t))

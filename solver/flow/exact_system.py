@@ -1,12 +1,12 @@
-"""The exact equations of a cell, by the flow of each phase, as a kernel.
+"""The exact equations of a cell, by the closed-form flow of each phase, as a kernel.
 
-Unknowns: displacement and velocity in which each phase begins, what its switches set (the
-memory), durations, and the phase of the forcing.  The conditions are those that join the phases
-of every expansion, `rows.joints`: continuity with the jumps, events, memory, the length
-of the cell.  Like those of every expansion they are linear in all but the times.
+The unknowns are displacement and velocity at the begin of each phase, the memories, the
+durations, and the phase of the forcing.  The conditions are those that join the phases of every
+expansion, `rows.joints`: continuity with jumps, events, memory, the duration of the cell.  They
+are linear in all unknowns but the times.
 
-A cell is arrays; the functions `places` to `jacobian` and Newton's method are plain Python, or
-compiled by numba once that pays, for all scenes.
+A cell is given as arrays.  The functions from `places` to `jacobian` and Newton's method are
+plain Python, or compiled by numba for all scenes once that pays.
 """
 
 from functools import lru_cache
@@ -33,24 +33,27 @@ if TYPE_CHECKING:
 
 
 def places(case: Any) -> Any:
-    """Return where the unknowns of each phase begin, and those behind all phases."""
+    """Return the index of the first unknown of each phase, and of the first after them."""
     return 2 * np.arange(len(case[0]) + 1)
 
 
 def angles(case: Any, z: Vector, at: Any) -> Vector:
-    """Return the angle of the forcing where each phase begins, and where the last one ends."""
+    """Return the angles of the forcing at the switches and at the end of the cell."""
     theta: Vector = np.empty(len(case[0]) + 1)
     fill_angles(case, z, at, theta)
     return theta
 
 
 def ends(case: Any, z: Vector, theta: Vector) -> tuple[Any, Any]:
-    """Return what each phase gains, and its derivatives, for `joints`."""
+    """Return the changes of the state over each phase, and their derivatives.
+
+    They are `gained` and `gained_by` of `joints`.
+    """
     kinds, numbers, setting, _, cell = case[:5]
     count, more = len(kinds), len(setting)
     gained, gained_by = np.zeros((count, 2)), np.zeros((count, 2, 5))
     for p in range(count):
-        # as Python's floats: NumPy's are slow, and round complex quotients otherwise
+        # as Python's floats: NumPy's are slow, and round complex quotients differently
         m, c, k = float(numbers[p, M]), float(numbers[p, C]), float(numbers[p, K])
         x, v, s = float(z[2 * p]), float(z[2 * p + 1]), float(z[2 * count + more + p])
         force = float(numbers[p, F])
@@ -63,41 +66,41 @@ def ends(case: Any, z: Vector, theta: Vector) -> tuple[Any, Any]:
         xx, xv, vx, vv, less_x, less_v = by_start(m, c, k, s)
         push, forced_x, forced_v = force, 0.0, 0.0
         if force != 0 or more > 0:
-            moved, moving = by_force(m, c, k, s)
-            forced_x, forced_v = force * moved, force * moving
-            gained_by[p, 0, 2], gained_by[p, 1, 2] = moved, moving
+            unit_x, unit_v = by_force(m, c, k, s)
+            forced_x, forced_v = force * unit_x, force * unit_v
+            gained_by[p, 0, 2], gained_by[p, 1, 2] = unit_x, unit_v
         g = float(numbers[p, G])
         if g != 0:
             omega, angle = float(cell[1]), float(theta[p])
-            moved, moving, turned, turning = by_forcing(m, c, k, omega, angle, s)
-            forced_x, forced_v = forced_x + g * moved, forced_v + g * moving
-            gained_by[p, 0, 1], gained_by[p, 1, 1] = g * turned, g * turning
+            wave_x, wave_v, x_by_angle, v_by_angle = by_forcing(m, c, k, omega, angle, s)
+            forced_x, forced_v = forced_x + g * wave_x, forced_v + g * wave_v
+            gained_by[p, 0, 1], gained_by[p, 1, 1] = g * x_by_angle, g * v_by_angle
             push = push + g * cos(theta[p + 1])
         gained[p, 0] = less_x * x + xv * v + forced_x
         gained[p, 1] = vx * x + less_v * v + forced_v
         gained_by[p, 0, 3], gained_by[p, 0, 4] = less_x, xv
         gained_by[p, 1, 3], gained_by[p, 1, 4] = vx, less_v
-        # the state itself, with its own digits where little is left of the start
+        # the state at the end, not as start plus change: it may be far smaller than both
         x, v = xx * x + xv * v + forced_x, vx * x + vv * v + forced_v
         gained_by[p, 0, 0], gained_by[p, 1, 0] = v, (push - c * v - k * x) / m
     return gained, gained_by
 
 
 def phase_numbers(case: Any, z: Vector, p: int) -> Vector:
-    """Return m, c, k, the constant force and g of a phase; of a held one m alone is not 0."""
+    """Return m, c, k, the constant force and g of phase `p`; of a held one only m is not 0."""
     kinds, numbers, setting = case[0], case[1], case[2]
-    found = np.zeros(5)
-    found[0] = numbers[p, M]
+    equation = np.zeros(5)
+    equation[0] = numbers[p, M]
     if kinds[p, FREE] != 0:
-        found[1], found[2], found[4] = numbers[p, C], numbers[p, K], numbers[p, G]
-        found[3] = numbers[p, F]
+        equation[1], equation[2], equation[4] = numbers[p, C], numbers[p, K], numbers[p, G]
+        equation[3] = numbers[p, F]
         for i in range(len(setting)):
-            found[3] += numbers[p, MEMORY + i] * z[2 * len(kinds) + i]
-    return found
+            equation[3] += numbers[p, MEMORY + i] * z[2 * len(kinds) + i]
+    return equation
 
 
 def residual(case: Any, z: Vector, R: Vector) -> None:
-    """Fill R with the left sides of the conditions."""
+    """Fill R with the residuals of all conditions."""
     at = places(case)
     theta = angles(case, z, at)
     gained, _ = ends(case, z, theta)
@@ -105,7 +108,7 @@ def residual(case: Any, z: Vector, R: Vector) -> None:
 
 
 def jacobian(case: Any, z: Vector, J: Matrix) -> None:
-    """Fill J with their derivatives."""
+    """Fill J with the derivatives of `residual` by all unknowns."""
     at = places(case)
     theta = angles(case, z, at)
     _, gained_by = ends(case, z, theta)
@@ -120,13 +123,13 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     return found | {"iterate": linking.newton_with(*own, make)["iterate_scene"]}
 
 
-#: The functions, linked as plain Python or compiled; what compiled ones cost is kept.
+#: These functions, linked as plain Python or compiled, with accounts of the time they take.
 FAMILY = Family(linked, (joining, divided, responses, *linking.NEWTON), iterate_scene)
 
 
 @lru_cache(maxsize=256)
 def arrays(cell: Cell) -> Arrays:
-    """Return the arrays of a cell; a held phase has its velocity in the place of the force."""
+    """Return the arrays of a cell; the force of a held phase is replaced by its velocity."""
     found = arrays_of(cell)
     for p, phase in enumerate(cell.phases):
         if phase.held:
@@ -135,7 +138,7 @@ def arrays(cell: Cell) -> Arrays:
 
 
 def exact_kernel(cell: Cell) -> Kernel:
-    """Return the exact equations of a cell; the case of its functions is the cell."""
+    """Return the kernel of the exact equations; its functions take a cell as case."""
     if isinstance(cell, BodyCell):
         return bodies.exact_kernel(cell)
     count, account = len(cell.phases), FAMILY.account_of(__name__)
@@ -156,7 +159,7 @@ def exact_kernel(cell: Cell) -> Kernel:
 
 
 def unknowns_of(motion: "Motion") -> Vector:
-    """Return the unknowns of the exact equations of a cell, as a motion has them."""
+    """Return the unknowns of the exact equations that a motion, exact or not, has."""
     start, phases = np.zeros(1), range(len(motion.case.cell.phases))
     states = [float(motion.part(p, start, j)[0]) for p in phases for j in (0, 1)]
     turn = [motion.angle] if motion.case.cell.forced else []

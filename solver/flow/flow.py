@@ -48,7 +48,7 @@ def _states(
 ) -> tuple[Vector, Vector]:
     """Return displacement and velocity at times after the start of a free phase.
 
-    As `state_at`; of a force that is zero the response is not looked for.
+    Responses to forces that are zero are not evaluated.
     """
     small, large = roots(phase)
     impulse = of_two_at(small, large, t)

@@ -11,13 +11,13 @@ from .stability import ROUNDING
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
 
-#: Of many multipliers those are told that are larger than this, and so many at least.
+#: Multipliers of modulus above this are shown, and so many at least.
 LARGE, FEW = 0.5, 8
 
-#: What `stable` means.
+#: The values of `stable` in words.
 VERDICTS = {True: "stable", False: "unstable", None: "neither stable nor unstable to rounding"}
 
-#: What a multiplier of 1 means: there may be orbits beside this one, or none.
+#: Meaning of a multiplier of 1.
 NOT_ISOLATED = "a multiplier is 1: the orbit is not isolated to first order"
 
 
@@ -38,22 +38,22 @@ def in_words(motion: "Motion") -> str:
     except NoMultipliersError as error:
         return f"no multipliers: {error}"
     name = "multiplier" if len(values) == 1 else "multipliers"
-    count = told(values)
-    large, more = values[:count], len(values) - count
-    less = f" and {more} smaller ones" if more > 0 else ""
+    count = count_shown(values)
+    large, others = values[:count], len(values) - count
+    less = f" and {others} smaller ones" if others > 0 else ""
     verdict = VERDICTS[stable]
     if stable is None and (abs(values - 1) <= motion.stability.rounding).any():
         verdict += f"; {NOT_ISOLATED}"
     return f"{name} {_numbers([complex(value) for value in large])}{less}: {verdict}"
 
 
-def told(values: Complex) -> int:
-    """Return how many of some multipliers are told, the largest first."""
+def count_shown(values: Complex) -> int:
+    """Return the number of multipliers that are shown, the largest first."""
     return max(FEW, int((np.abs(values) > LARGE).sum()))
 
 
 def _numbers(values: list[complex]) -> str:
-    """Return multipliers as text: a pair once, with its modulus; 0 what is rounding.
+    """Return multipliers as text: a pair once, with its modulus; rounding errors as 0.
 
     Examples
     --------
@@ -73,7 +73,7 @@ def _numbers(values: list[complex]) -> str:
 
 
 def document(motion: "Motion") -> dict[str, Any]:
-    """Return the multipliers of an orbit and its verdict; None for what there is not."""
+    """Return the multipliers of an orbit and its verdict; None if there are none."""
     try:
         values, stable = motion.multipliers, motion.stable
     except NoMultipliersError:
@@ -83,5 +83,5 @@ def document(motion: "Motion") -> dict[str, Any]:
 
 
 def without_multipliers() -> dict[str, None]:
-    """Return the same of an orbit that is not there."""
+    """Return the same document without multipliers."""
     return {"multipliers": None, "stable": None}

@@ -1,4 +1,4 @@
-"""The monodromy of one cell of an orbit, at the orbit's own times and states."""
+"""The monodromy matrix of one cell of an orbit, at the orbit's own times and states."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -17,10 +17,10 @@ from .cell_map import cell_map
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
 
-#: Least rate at which an event is crossed, as a part of the size of its terms.
+#: Least rate at which an event is crossed, relative to the terms of the rate.
 TOUCH = 1e-12
 
-#: Local times at which the velocity is looked at.
+#: Local times at which the largest velocity is looked for.
 LOOK = np.linspace(0.0, 1.0, 17)
 
 
@@ -30,11 +30,16 @@ class NoMultipliersError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Monodromy:
-    """What one cell makes of small perturbations of the state at its first switch.
+    """The linear map of perturbations of the state over one cell, from its first switch.
 
-    The matrix is that of the cell, before its motion is mirrored; rounding errors are parts of
-    `size`; shape (n, n) each.  As many multipliers are exactly 0 as are `forgotten` at the
-    phase or the switch that forgets most.
+    Parameters
+    ----------
+    matrix : ndarray, shape (n, n)
+        The monodromy matrix of the cell, before a mirrored cell is turned back.
+    size : ndarray, shape (n, n)
+        Scale of the rounding errors of `matrix`.
+    forgotten : int
+        Number of multipliers that are exactly 0; see `forgotten`.
     """
 
     matrix: Matrix
@@ -43,7 +48,7 @@ class Monodromy:
 
 
 def monodromy(motion: "Motion") -> Monodromy:
-    """Return the monodromy of a cell of an orbit; see `cell_map`.
+    """Return the monodromy matrix of a cell of an orbit; see `cell_map`.
 
     Raises
     ------
@@ -71,30 +76,28 @@ def monodromy(motion: "Motion") -> Monodromy:
 
 
 def of_body(cell: BodyCell, times: Vector) -> tuple[Matrix, Matrix, Vector]:
-    """Return what a cell makes of perturbations of ``X = (y, memory)``, before it is mirrored.
+    """Return the monodromy matrix of a cell of a body, as `cell_map` does for one mass.
 
-    The product over the phases of the flow and of the saltation at the switch that ends the
-    phase, ``S = R + (F+ - R F- - R_t) n^T/(n F- + h_t)``; see `stability.cell_map`.
+    The state is ``X = (y, memory)``, with the modal coordinates and velocities y.
 
     Returns
     -------
     matrix : ndarray, shape (n, n)
     size : ndarray, shape (n, n)
-        Rounding errors are parts of it; see `linear.product`.
+        Scale of the rounding errors of `matrix`; see `linear.product`.
     crossed : ndarray, shape (P,)
-        The rate at which the event that ends each phase is crossed, as a part of the size of
-        its terms.
+        The rate at which the event that ends each phase is crossed, relative to its terms.
     """
     parts, starts = parts_of(cell), evaluated(cell, times).starts
     theta, count = angles_of(cell, times), len(parts)
     shape = count, starts.shape[1], starts.shape[1]
     steps, sizes, crossed = np.empty(shape), np.empty(shape), np.empty(count)
     for p, part in enumerate(parts):
-        along, by_wave = phase_map(part, float(times[p]))
-        end = along @ starts[p] + by_wave @ wave(theta[p])
+        transition, by_wave = phase_map(part, float(times[p]))
+        end = transition @ starts[p] + by_wave @ wave(theta[p])
         q, sign = (p + 1, 1) if p + 1 < count else (0, cell.sign)
         before = rates(part, end, theta[p + 1])
-        behind = sign * rates(parts[q], starts[q], theta[q] if q == 0 else theta[p + 1])
+        after = sign * rates(parts[q], starts[q], theta[q] if q == 0 else theta[p + 1])
         gradient, waves = part.switch.gradient, part.switch.waves
         approach = cell.omega * float(waves @ turned(theta[p + 1]))
         scale = float(np.abs(gradient) @ np.abs(before)) + cell.omega * float(
@@ -102,30 +105,30 @@ def of_body(cell: BodyCell, times: Vector) -> tuple[Matrix, Matrix, Vector]:
         )
         rate = approach + float(gradient @ before)
         crossed[p] = abs(rate) / scale if scale > 0 else 0.0
-        jump = behind - part.switch.state @ before
+        jump = after - part.switch.state @ before
         jump -= cell.omega * (part.switch.inputs @ turned(theta[p + 1]))
-        across = part.switch.state + np.outer(jump, gradient) / rate
-        steps[p] = across @ along
-        sizes[p] = np.abs(across) @ np.abs(along) / min(1.0, crossed[p])
+        saltation = part.switch.state + np.outer(jump, gradient) / rate
+        steps[p] = saltation @ transition
+        sizes[p] = np.abs(saltation) @ np.abs(transition) / min(1.0, crossed[p])
     return *product(steps, sizes), crossed
 
 
 def _reached(motion: "Motion") -> Matrix:
-    """Return velocity and acceleration where each phase ends, as the motion has them."""
+    """Return velocity and acceleration of the motion at the end of each phase."""
     phases = motion.cell.phases
-    found = np.zeros((len(phases), 2))
+    reached = np.zeros((len(phases), 2))
     for p, phase in enumerate(phases):
         x, v, cosine, _ = motion.signals(p, np.ones(1))[:, 0]
         v = phase.speed if phase.held else v
-        found[p] = v, phase.acceleration(x, v, cosine)
-    return found
+        reached[p] = v, phase.acceleration(x, v, cosine)
+    return reached
 
 
 def forgotten(cell: Cell) -> int:
-    """Return of how many parts of the state nothing is left at some place of a cell.
+    """Return the dimension by which the map of a cell is rank-deficient: of multipliers 0.
 
-    A phase that is held forgets the velocity, at one place the displacement too; a switch
-    forgets each constant that it sets.
+    A held phase forgets the velocity and, if at rest at a known place, the displacement; a
+    switch forgets the values before of the memories that it sets.  The largest number counts.
     """
     places = range(len(cell.phases))
     held = (cell.phases[p].held + (cell.place(p) is not None) for p in places)

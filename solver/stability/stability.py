@@ -1,4 +1,4 @@
-"""The multipliers of an orbit, whether it is stable, and how far it is from the boundary."""
+"""The Floquet multipliers of an orbit, its stability, and their rounding errors."""
 
 import math
 from dataclasses import dataclass
@@ -14,30 +14,30 @@ from .monodromy import Monodromy, NoMultipliersError, monodromy
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
 
-#: Rounding errors of the monodromy's entries, as parts of `Monodromy.size`: those of the times
-#: and states that Newton's method left are in them.
+#: Rounding errors of the monodromy matrix, relative to `Monodromy.size`, with those of the
+#: times and states from Newton's method.
 ROUNDING = 1e-12
 
-#: Rounding errors of the equations, as a part of those of the monodromy.
+#: Rounding errors of the equations, relative to those of the monodromy matrix.
 OF_EQUATIONS = 1e-3
 
-#: How far from an eigenvalue an iteration for its vectors is, as a part of the way to the next;
-#: its steps, each of which gains as much.
+#: Distance of the shift of inverse iteration from an eigenvalue, relative to that of the next
+#: eigenvalue; number of iterations, each of which gains this factor.
 BESIDE, ITERATIONS = 1e-6, 2
 
 
 @dataclass(frozen=True)
 class Stability:
-    """What one whole period of an orbit makes of small perturbations.
+    """The Floquet multipliers of an orbit over a whole period.
 
     Parameters
     ----------
     multipliers : ndarray of complex
         The largest first; that of a shift in time along an autonomous orbit is left out.
     trivial_multiplier : float or None
-        That of the shift: 1 but for errors; None where a forcing fixes the time.
+        That of the shift, 1 up to errors; None of a forced orbit.
     rounding : float
-        What rounding may change of the largest modulus.
+        Bound of the rounding error of the largest modulus.
     """
 
     multipliers: Complex
@@ -51,7 +51,7 @@ class Stability:
 
     @property
     def stable(self) -> bool | None:
-        """Whether perturbations die out; None where rounding does not let it be told."""
+        """Whether perturbations decay; None if the margin is below its rounding error."""
         return None if abs(self.margin) <= self.rounding else self.margin > 0
 
 
@@ -67,68 +67,68 @@ def stability(motion: "Motion") -> Stability:
 
 
 def is_stable(motion: "Motion") -> bool | None:
-    """Return whether a motion is stable; None where that cannot be told."""
+    """Return whether a motion is stable; None if undecided or without multipliers."""
     try:
         return motion.stable
     except NoMultipliersError:
         return None
 
 
-def of_monodromy(cell: Cell, found: Monodromy) -> Stability:
-    """Return the multipliers of an orbit by the monodromy of its cell."""
-    own = _eigenvalues(found)
+def of_monodromy(cell: Cell, of_cell: Monodromy) -> Stability:
+    """Return the multipliers of an orbit from the monodromy matrix of its cell."""
+    eigenvalues = _eigenvalues(of_cell)
     twice = cell.cells == 2  # the second half is the mirror image of the first
-    values, left = own**2 if twice else own, list(range(len(own)))
+    values, left = eigenvalues**2 if twice else eigenvalues, list(range(len(eigenvalues)))
     trivial = None
     if not cell.forced:
         which = int(np.argmin(np.abs(values - 1)))
         trivial = float(values[which].real)
         left.remove(which)
     left.sort(key=lambda j: (-abs(values[j]), -values[j].imag))
-    rounding = _rounding(found, own, left[0]) if left else 0.0
-    near = abs(cell.sign * own[left[0]] - 1) if left else 1.0
-    if near**2 <= OF_EQUATIONS * rounding:  # at a fold the orbit itself is off by its root
+    rounding = _rounding(of_cell, eigenvalues, left[0]) if left else 0.0
+    near = abs(cell.sign * eigenvalues[left[0]] - 1) if left else 1.0
+    if near**2 <= OF_EQUATIONS * rounding:  # near a fold, the orbit's error is a square root
         rounding = max(rounding, float(near))
     if twice and left:
-        rounding = 2 * float(np.abs(own[left[0]])) * rounding + rounding**2
+        rounding = 2 * float(np.abs(eigenvalues[left[0]])) * rounding + rounding**2
     return Stability(values[left], trivial, rounding)
 
 
-def _eigenvalues(found: Monodromy) -> Complex:
-    """Return the eigenvalues of a cell's monodromy.
+def _eigenvalues(of_cell: Monodromy) -> Complex:
+    """Return the eigenvalues of the monodromy matrix of a cell.
 
-    What a phase or a switch forgets has a multiplier of 0, which is set, not computed; so has
-    what dies out in a cell.
+    Those that are 0, for parts of the state that are forgotten or decay within a cell, are set
+    and not computed.
     """
-    values = np.zeros(len(found.matrix), dtype=complex)
-    if found.forgotten >= len(values) - 1:  # at most one is left: the trace
-        values[: len(values) - found.forgotten] = np.trace(found.matrix)
+    values = np.zeros(len(of_cell.matrix), dtype=complex)
+    if of_cell.forgotten >= len(values) - 1:  # at most one is left: the trace
+        values[: len(values) - of_cell.forgotten] = np.trace(of_cell.matrix)
         return values
-    lasts = lasting(found.matrix)
-    values[: len(lasts)] = np.linalg.eigvals(found.matrix[np.ix_(lasts, lasts)])
-    values[np.argsort(np.abs(values))[: found.forgotten]] = 0.0
+    lasts = lasting(of_cell.matrix)
+    values[: len(lasts)] = np.linalg.eigvals(of_cell.matrix[np.ix_(lasts, lasts)])
+    values[np.argsort(np.abs(values))[: of_cell.forgotten]] = 0.0
     return values
 
 
-def _rounding(found: Monodromy, values: Complex, j: int) -> float:
-    """Return what rounding may change of an eigenvalue.
+def _rounding(of_cell: Monodromy, values: Complex, j: int) -> float:
+    """Return a first-order bound of the rounding error of eigenvalue j.
 
-    An error of the matrix shifts it by what the eigenvectors on both sides make of it; a double
-    one that has a single eigenvector by its root.
+    ``|l| |E| |r| / |l r|`` with left and right eigenvectors l, r and the error E of the matrix;
+    for a nearly double eigenvalue, the square root of the norm of E.
     """
     if values[j] == 0:
         return 0.0
-    if found.forgotten >= len(values) - 1:
-        return ROUNDING * float(np.trace(found.size))
-    moved = ROUNDING * math.hypot(*found.size.ravel())  # squares of 1e-200 would be 0
+    if of_cell.forgotten >= len(values) - 1:
+        return ROUNDING * float(np.trace(of_cell.size))
+    error = ROUNDING * math.hypot(*of_cell.size.ravel())  # squares of 1e-200 would be 0
     distance = np.abs(np.delete(values, j) - values[j]).min(initial=np.inf)
-    if distance <= np.sqrt(moved):
-        return float(np.sqrt(moved))
-    near = values[j] + min(moved, BESIDE * distance)
-    inverse = np.linalg.inv(found.matrix - near * np.eye(len(values)))
-    across = along = np.cos(np.arange(1.0, 1 + len(values)))  # of no symmetry
+    if distance <= np.sqrt(error):
+        return float(np.sqrt(error))
+    shift = values[j] + min(error, BESIDE * distance)
+    inverse = np.linalg.inv(of_cell.matrix - shift * np.eye(len(values)))
+    left = right = np.cos(np.arange(1.0, 1 + len(values)))  # without symmetry
     for _ in range(ITERATIONS):
-        across, along = across @ inverse, inverse @ along
-        across, along = across / np.abs(across).max(), along / np.abs(along).max()
-    shared = abs(across @ along)
-    return ROUNDING * float(np.abs(across) @ found.size @ np.abs(along)) / float(shared)
+        left, right = left @ inverse, inverse @ right
+        left, right = left / np.abs(left).max(), right / np.abs(right).max()
+    product = abs(left @ right)
+    return ROUNDING * float(np.abs(left) @ of_cell.size @ np.abs(right)) / float(product)

@@ -26,8 +26,8 @@ MUTANTS = (
     Mutant(
         "the end of a phase moves with the forcing the other way",
         "solver/flow/responses.py",
-        "return moved.real, moving.real, -moved.imag",
-        "return moved.real, moving.real, moved.imag",
+        "return x.real, v.real, -x.imag",
+        "return x.real, v.real, x.imag",
         FLOW,
     ),
     Mutant(
@@ -47,7 +47,7 @@ MUTANTS = (
     Mutant(
         "the exact end of a phase does not move with the memory",
         "solver/flow/exact_system.py",
-        "gained_by[p, 0, 2], gained_by[p, 1, 2] = moved, moving",
+        "gained_by[p, 0, 2], gained_by[p, 1, 2] = unit_x, unit_v",
         "gained_by[p, 0, 2], gained_by[p, 1, 2] = 0.0, 0.0",
         (f"{WRONG[0]}::test_the_jacobian_of_the_exact_equations_with_a_memory",),
     ),
@@ -187,22 +187,22 @@ MUTANTS = (
     Mutant(
         "the saltation of an impact with the other sign",
         "solver/stability/cell_map.py",
-        "jump += behind - np.dot(across, before)",
-        "jump += behind + np.dot(across, before)",
+        "jump += after - np.dot(saltation, before)",
+        "jump += after + np.dot(saltation, before)",
         MULTIPLIERS,
     ),
     Mutant(
         "the mirror image is forgotten at the end of the cell",
         "solver/stability/cell_map.py",
-        "sign, turned = cell[0] if q == 0 else 1.0, ",
-        "sign, turned = 1.0, ",
+        "sign, cosine_rate = cell[0] if q == 0 else 1.0, ",
+        "sign, cosine_rate = 1.0, ",
         MULTIPLIERS,
     ),
     Mutant(
         "the multipliers of half a period for those of a whole",
         "solver/stability/stability.py",
-        "values, left = own**2 if twice else own, ",
-        "values, left = own, ",
+        "values, left = eigenvalues**2 if twice else eigenvalues, ",
+        "values, left = eigenvalues, ",
         MULTIPLIERS,
     ),
     Mutant(

@@ -14,7 +14,7 @@ from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.kernels.registry import mathematics, methods
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about
-from nonsmooth.solver.stability.in_words import in_words, told
+from nonsmooth.solver.stability.in_words import count_shown, in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 
 from ..checks.fourier import GIBBS
@@ -84,7 +84,7 @@ def multipliers(exact: ExactOrbit) -> dict[str, Any]:
         found = exact.stability
     except NoMultipliersError:
         return {"rows": [], "smaller": 0, "verdict": verdict, "shift": False}
-    count = min(told(found.multipliers), len(found.multipliers))
+    count = min(count_shown(found.multipliers), len(found.multipliers))
     rows = [_multiplier(complex(value), found.rounding) for value in found.multipliers[:count]]
     return {
         "rows": rows, "smaller": len(found.multipliers) - count, "verdict": verdict,
