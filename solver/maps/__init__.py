@@ -1,1 +1,1 @@
-"""Maps of phases: from the state in which one begins to that in which it ends; their joints."""
+"""Condensation: coefficients are eliminated phase by phase, Newton's method has the rest."""

@@ -1,4 +1,4 @@
-"""Unknowns that join the phases, and that single conditions give exactly, before the rest."""
+"""Unknowns that a single condition determines, eliminated before Newton's method."""
 
 from math import pi
 from typing import Any
@@ -22,7 +22,7 @@ from ..rows.joints import (
 
 
 def is_alone(case: Any, p: int, state: int) -> bool:
-    """Whether the event that ends a phase says displacement (0) or velocity (1) alone."""
+    """Return whether the event of phase p is of x (state 0) or of v (state 1) alone."""
     numbers, more = case[1], len(case[2])
     for i in range(more):
         if numbers[p, MEMORY + more + i] != 0:
@@ -32,10 +32,10 @@ def is_alone(case: Any, p: int, state: int) -> bool:
 
 
 def given_alone(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
-    """Fill in the unknowns that conditions give one by one, and mark both.
+    """Fill in unknowns that single conditions determine; mark them `known`, these `used`.
 
-    They are states that an event gives, velocities that a held phase keeps or a jump does
-    not depend on, and the only duration of a cell that the forcing makes so long.
+    They are states that an event prescribes, velocities after a held phase or after a jump that
+    does not depend on the velocity before, and the duration of a single forced phase.
     """
     kinds, numbers, _, _, cell = case[:5]
     count, events = len(kinds), 0
@@ -50,7 +50,7 @@ def given_alone(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
             i, sign = (at[p] + state, 1.0) if of == AT_BEGIN else (at[q] + state, 1.0)
             if of == AFTER and q == 0:
                 sign = cell[0]
-            if known[i]:  # what a second condition says of it is left to Newton's method
+            if known[i]:  # a second condition on it is left to Newton's method
                 continue
             y[i] = -sign * numbers[p, E_0] / numbers[p, E_X + state]
             known[i], used[events + p] = True, True
@@ -71,9 +71,9 @@ def given_alone(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
 
 
 def given_last(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
-    """Fill in durations that one condition alone sees, where the next phase begins; mark both.
+    """Fill in durations that only the continuity of the displacement contains; mark both.
 
-    They are those of held phases where nothing forces, whose event is not of their end.
+    They are those of held phases without forcing whose event does not depend on their end.
     """
     kinds, _, setting, _, cell = case[:5]
     count, row = len(kinds), 0

@@ -1,34 +1,34 @@
-"""Band matrices, factorised from the highest index down, as Python that numba compiles.
+"""Factors of band matrices, eliminated from the highest index down, compiled by numba.
 
-A row of a band is kept by its diagonals: entry ``[PAD + i, PAD + j - i]`` is that of unknown j
-in row i.  In front there are PAD rows of zeros, so that sums over diagonals need no ends.  The
-first two rows stay a block, and its inverse is kept in their place: a pivot in the second of
-them may vanish where nothing is singular.  Rows above are exchanged only where a factor would
-be large: that is seldom, in phases of several periods.
+Rows are stored by diagonals: entry ``[PAD + i, PAD + j - i]`` is that of unknown j in row i.
+PAD rows of zeros in front save the ends of sums over diagonals.  The first two rows remain a
+block, whose inverse is stored in their place: the pivot of the second may vanish though the
+matrix is regular.  Other rows are exchanged only if a factor would be large, which is rare: in
+phases of several periods.
 """
 
 from typing import Any
 
 from ..arrays import Matrix
 
-#: Diagonals on either side; rows that are exchanged reach down as far as both together.
+#: Diagonals on either side; width below the diagonal after exchanges of rows.
 SIDE = 2
 PAD = 2 * SIDE
 
-#: Rows of the block at the low end.
+#: Size of the block at the lowest indices.
 BLOCK = 2
 
-#: The largest factor that is taken without an exchange.
+#: The largest factor of elimination without an exchange.
 LARGE = 10.0
 
 
 def factorise_band(D: Matrix, exchanged: Any, size: int) -> bool:
-    """Factorise a band in place; whether rows were exchanged.
+    """Factorise a band in place; return whether rows were exchanged.
 
     D : ndarray, shape (PAD + size, PAD + SIDE + 1)
-        Pivots become their reciprocals, what is above them the factors.
+        Pivots are replaced by their reciprocals, entries above them by the factors.
     exchanged : ndarray of int, shape (PAD + size,)
-        Filled with the row that was exchanged with each.
+        Filled with the index of the pivot row of each row.
     """
     wide = False
     for i in range(PAD + size - 1, PAD + BLOCK - 1, -1):
@@ -38,7 +38,7 @@ def factorise_band(D: Matrix, exchanged: Any, size: int) -> bool:
 
 
 def factorise_row(D: Matrix, exchanged: Any, i: int, wide: bool) -> bool:
-    """Take a row out of those below, two of which are there; whether rows are exchanged yet."""
+    """Eliminate unknown i from the two rows above; return whether any rows were exchanged."""
     own, above, second = D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2]
     exchanged[i] = i
     if LARGE * abs(own) < max(abs(above), abs(second)):
@@ -59,7 +59,7 @@ def factorise_row(D: Matrix, exchanged: Any, i: int, wide: bool) -> bool:
 
 
 def invert_block(D: Matrix) -> None:
-    """Put the inverse of the first two rows in their place."""
+    """Replace the block of the first two rows by its inverse."""
     a, b = D[PAD, PAD], D[PAD, PAD + 1]
     c, d = D[PAD + 1, PAD - 1], D[PAD + 1, PAD]
     inverse = 1.0 / (a * d - b * c)
@@ -68,7 +68,7 @@ def invert_block(D: Matrix) -> None:
 
 
 def eliminate(D: Matrix, exchanged: Any, size: int, B: Matrix, first: int, last: int) -> None:
-    """Eliminate in columns of right sides, from the highest row down to the block."""
+    """Apply the elimination to columns ``first:last`` of right sides, down to the block."""
     for i in range(PAD + size - 1, PAD + BLOCK - 1, -1):
         pivot, above, second = exchanged[i], D[i - 1, PAD + 1], D[i - 2, PAD + 2]
         for c in range(first, last):
@@ -79,7 +79,7 @@ def eliminate(D: Matrix, exchanged: Any, size: int, B: Matrix, first: int, last:
 
 
 def solve_block(D: Matrix, B: Matrix, first: int, last: int) -> None:
-    """Overwrite the first two rows of columns with those of the solution."""
+    """Overwrite the first two rows of columns ``first:last`` with the solution."""
     for c in range(first, last):
         low, high = B[PAD, c], B[PAD + 1, c]
         B[PAD, c] = D[PAD, PAD] * low + D[PAD, PAD + 1] * high
@@ -89,7 +89,7 @@ def solve_block(D: Matrix, B: Matrix, first: int, last: int) -> None:
 def substitute(
     D: Matrix, wide: bool, B: Matrix, begin: int, end: int, first: int, last: int
 ) -> None:
-    """Overwrite rows of columns with those of the solution; the rows before are there."""
+    """Overwrite rows ``begin:end`` of columns with the solution; lower ones are solved."""
     for i in range(PAD + max(begin, BLOCK), PAD + end):
         for c in range(first, last):
             value = B[i, c] - D[i, PAD - 1] * B[i - 1, c] - D[i, PAD - 2] * B[i - 2, c]
@@ -101,7 +101,7 @@ def substitute(
 def solve(
     D: Matrix, exchanged: Any, wide: bool, rows: int, B: Matrix, first: int, last: int
 ) -> None:
-    """Overwrite columns with the solutions of the band."""
+    """Overwrite columns ``first:last`` of right sides with the solutions."""
     eliminate(D, exchanged, rows, B, first, last)
     solve_block(D, B, first, last)
     substitute(D, wide, B, 0, rows, first, last)
@@ -110,7 +110,12 @@ def solve(
 def add_full(
     full: Matrix, at: int, rows: int, B: Matrix, first: int, last: int, needed: int
 ) -> None:
-    """Add to columns, solutions of the band, what its two full ones from `at` on change."""
+    """Correct columns, solutions of the band, for two full columns of the matrix.
+
+    By the Sherman-Morrison-Woodbury formula: ``full[:, at:at + 2]`` are the solutions of the
+    band for the full columns, which belong to the last two unknowns; the first `needed` rows
+    are corrected.
+    """
     i, j = PAD + rows - 2, PAD + rows - 1
     a, b, c, d = 1 - full[i, at], -full[i, at + 1], -full[j, at], 1 - full[j, at + 1]
     inverse = 1.0 / (a * d - b * c)

@@ -1,7 +1,7 @@
-"""Durations that are single unknowns, where nothing forces: one after the other.
+"""Durations solved for one after the other, without forcing.
 
-What a phase that begins in a known state gains is a function of its duration alone, and so is
-the event that ends it: Newton's method for one unknown, `iteration.iterate_single`.
+If a phase begins in a known state, the event that ends it is a function of its duration alone:
+one equation with one unknown, solved by `iteration.iterate_single`.
 """
 
 from typing import Any
@@ -17,48 +17,51 @@ from .series_rates import gained_by_duration, phase_rate
 
 
 def known_begin(case: Any, at: Any, known: Any) -> int:
-    """Return a phase that begins in a known state where nothing forces; -1 if there is none."""
+    """Return the first phase that begins in a known state; -1 without one, or if not apt.
+
+    Not apt are cells with forcing, a memory, or an event at the begin of a phase.
+    """
     kinds, _, setting, _, cell = case[:5]
     if cell[2] != 0 or len(setting) > 0:
         return -1
-    found = -1
+    first = -1
     for p in range(len(kinds)):
         if kinds[p, OF_X] == AT_BEGIN:
             return -1
-        if found < 0 and known[at[p]] and known[at[p] + 1]:
-            found = p
-    return found
+        if first < 0 and known[at[p]] and known[at[p] + 1]:
+            first = p
+    return first
 
 
 def event_residual(place: Any, s: float) -> float:
-    """Return the event that ends a phase of duration `s`, where nothing forces."""
+    """Return the event function at the end of an unforced phase of duration `s`."""
     case, at, N, room, marks, y, p, begin = place
     numbers = case[1]
     y[at[len(case[0])] + p] = s
     factorise_phase(case, N, room, marks, p, s)
     solve_phase(case, y, at, N, room, marks, room, p)
     x, v = gained(room, s, y[at[p] + 1])
-    found: float = begin + (numbers[p, E_X] * x + numbers[p, E_V] * v)
-    return found
+    value: float = begin + (numbers[p, E_X] * x + numbers[p, E_V] * v)
+    return value
 
 
 def event_rate(place: Any, s: float) -> float:
-    """Return its derivative, where the residual was evaluated last."""
+    """Return the derivative of `event_residual`, at the duration of its last call."""
     case, at, N, room, marks, y, p, _ = place
     numbers = case[1]
     phase_rate(case, y, at, N, room, marks, room, p, BLOCK, DURATION + 1)
     x, v = gained_by_duration(room, s, y[at[p] + 1])
-    found: float = numbers[p, E_X] * x + numbers[p, E_V] * v
-    return found
+    rate: float = numbers[p, E_X] * x + numbers[p, E_V] * v
+    return rate
 
 
 def one_by_one(
     case: Any, z: Vector, N: int, limit: int, rooms: Any, lines: Matrix, marks: Any, first: int
 ) -> tuple[int, int, float, float]:
-    """Solve for the durations one after the other, from a phase whose begin is known.
+    """Solve for the durations one after the other, from phase `first`, whose begin is known.
 
-    The event that ends the last of them is the one that gives where the first begins: what is
-    gained on the way, `total`, is to be zero, or to bring the mass to the other side.
+    The event that ends the last phase also determines where the first begins: the displacement
+    gained over the cell, `total`, must be zero or lead to the mirror image.
     """
     kinds, numbers, cell, y = case[0], case[1], case[4], lines[0]
     count, at = len(kinds), marks[len(kinds)]
@@ -77,7 +80,7 @@ def one_by_one(
             )
             iterations, correction = max(iterations, steps), max(correction, last)
             norm, (further, faster) = max(norm, event), gained(rooms[p], s, v)
-        else:  # what a held phase gains is its speed times its duration
+        else:  # a held phase moves by its speed times its duration
             slope = numbers[p, E_X] * v
             status, s = (0, -begin / slope) if slope != 0 else (SINGULAR, 0.0)
             further, faster = s * v, 0.0
@@ -94,7 +97,7 @@ def one_by_one(
             y[at[q] + 1] = sign * (law + numbers[p, RHO] * faster)
             for state in range(2):
                 of = kinds[p, OF_X + state]
-                if of == AFTER and is_alone(case, p, state):  # exactly as the event says
+                if of == AFTER and is_alone(case, p, state):  # exactly the value of the event
                     y[at[q] + state] = -sign * numbers[p, E_0] / numbers[p, E_X + state]
     unpack(case, y, at, N, rooms, marks, rooms, z)
     return status, iterations, correction, norm

@@ -1,14 +1,14 @@
-"""The map of a phase by its expansion: its coefficients solved for, given states and times.
+"""The map of a phase by its expansion: coefficients from the state at its begin and times.
 
 The rows of a phase are banded in the coefficients ``d_n`` of its acceleration.  Given the state
-in which it begins, memory, times and its last coefficients, as many as there are conditions on
-derivatives above the second, they determine the others.  Where there is a part of the residual
-that no test sees, rows above the tests say what it is; with that put in, two columns of the
-matrix ``B_low - Z B_top`` are full, and Z, of `tables`, depends on order and class alone.
+at its begin, memories, times and its last coefficients (one for each condition on a derivative
+of order above 2), they determine the other coefficients.  If part of the residual is orthogonal
+to all tests, the rows above the tests determine it.  Once it is eliminated, two columns of the
+matrix ``B_low - Z B_top`` are full; Z, in `tables`, depends on order and class alone.
 
-The room of a phase is one matrix.  Behind its band, and two full columns, right sides and
-solutions stand in columns: the value; the derivatives by duration, angle of the forcing,
-constant force, displacement and velocity at the begin; by the last coefficients.
+The workspace ("room") of a phase is one matrix.  After its band and two full columns, it has
+columns of right sides and solutions: the value; its derivatives by duration, angle of the
+forcing, constant force, displacement and velocity at the begin; by the last coefficients.
 """
 
 from typing import Any
@@ -32,44 +32,47 @@ from .band import (
     substitute,
 )
 
-#: Columns: of these, those by force, displacement and velocity stand in two rows alone.
+#: Columns; right sides by force, displacement and velocity have entries in two rows only.
 FULL = PAD + SIDE + 1
 VALUE = FULL + 2
 DURATION, ANGLE, FORCE, STATE, LAST = VALUE + 1, VALUE + 2, VALUE + 3, VALUE + 4, VALUE + 6
 
-#: Marks of a phase, in front of its exchanges: whether there are any; whether its value is the
-#: solution in all rows, or in the first two alone.
+#: Marks of a phase, in front of its pivot rows: whether rows were exchanged; whether its value
+#: is solved for in all rows, or in the first two only.
 WIDE, DONE = 0, 1
 
 
 def fill_places(kinds: Any, N: int, at: Any) -> None:
-    """Fill in where the unknowns of each phase begin that are solved for together."""
+    """Fill `at` with the index of the first condensed unknown of each phase, and after them.
+
+    Those of a phase are its state at the begin and its last coefficients.
+    """
     at[0] = 0
     for p in range(len(kinds)):
         at[p + 1] = at[p] + 2 + terms(kinds, p, N) - tests(kinds, p, N)
 
 
 def extent(case: Any, N: int) -> tuple[int, int, int, int]:
-    """Return how many unknowns are solved for together, and what room they need.
+    """Return the number of condensed unknowns, and the sizes of the workspace.
 
-    It is rows and columns of the room of a phase, and how many derivatives are joined.
+    These are rows and columns of the room of a phase, and the number of derivatives joined.
     """
     kinds = case[0]
     size, rows, last, high = len(case[2]) + (1 if case[4][2] != 0 else 0), BLOCK, 0, 2
     for p in range(len(kinds)):
         number = terms(kinds, p, N)
-        own = number - tests(kinds, p, N)
-        size += 3 + own
-        rows, last = max(rows, number + kinds[p, BESIDE]), max(last, own)
+        last_p = number - tests(kinds, p, N)
+        size += 3 + last_p
+        rows, last = max(rows, number + kinds[p, BESIDE]), max(last, last_p)
         high = max(high, kinds[p, CLASS] + 1)
     return size, PAD + rows + SIDE, LAST + last, high
 
 
 def workplace(case: Any, N: int, rooms: Any, marks: Any) -> Any:
-    """Return where phases are solved: their rooms, their marks, and what has room here.
+    """Return the workspace of all phases: rooms, marks, and arrays that are made here.
 
-    It is for the moments of the forcing; for which times there are bands; and, as `joints`
-    takes them, for angles of the forcing, how phases end, and the derivatives.
+    These are for moments of the forcing; for the times of the last factors; and, as `joints`
+    takes them, for angles of the forcing, the ends of phases, and their derivatives.
     """
     count, (_, length, columns, high) = len(case[0]), extent(case, N)
     return (
@@ -84,7 +87,7 @@ def workplace(case: Any, N: int, rooms: Any, marks: Any) -> Any:
 
 
 def solve_phases(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
-    """Fill in how each phase begins and ends, from what is solved for together in `y`."""
+    """Fill in the begins and ends of all phases, from the condensed unknowns `y`."""
     kinds, numbers, setting, _, cell = case[:5]
     rooms, marks, moments, times, theta, ends, _ = work
     fill_angles(case, y, at, theta)
@@ -114,7 +117,7 @@ def solve_phases(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
 
 
 def factorise_phase(case: Any, N: int, room: Matrix, marks: Any, p: int, s: float) -> None:
-    """Fill in the factors of the band of a phase, and its full columns."""
+    """Fill in the factors of the band of a phase, and the solutions for its full columns."""
     kinds, numbers, tables = case[0], case[1], case[5]
     m, c, k = numbers[p, M], numbers[p, C], numbers[p, K]
     rows, left = tests(kinds, p, N), kinds[p, BESIDE]
@@ -125,7 +128,7 @@ def factorise_phase(case: Any, N: int, room: Matrix, marks: Any, p: int, s: floa
             room[at_row, SIDE + i] = factors[2 + i]
     wide = factorise_band(room, marks, rows)
     marks[WIDE] = wide
-    if left > 0:  # row R, above the tests, sees d_(R - 2) and d_(R - 1); the next d_(R - 1)
+    if left > 0:  # row R, above the tests, has d_(R - 2) and d_(R - 1); the next one d_(R - 1)
         first = row(rows, m, c, k, s)
         second = row(rows + 1, m, c, k, s)[2] if left > 1 else 0.0
         for low in range(rows):
@@ -139,9 +142,9 @@ def factorise_phase(case: Any, N: int, room: Matrix, marks: Any, p: int, s: floa
 def solve_phase(
     case: Any, y: Vector, at: Any, N: int, room: Matrix, marks: Any, moments: Matrix, p: int
 ) -> None:
-    """Fill in the value of a phase that is free, all of it or as much as its end is seen by.
+    """Solve for the value of a free phase, in all rows or in those that its end depends on.
 
-    Its band and the moments of the forcing are there.
+    Its factors and the moments of the forcing must be there.
     """
     kinds, numbers = case[0], case[1]
     number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
@@ -158,14 +161,14 @@ def solve_phase(
 
 
 def complete(room: Matrix, marks: Any, rows: int) -> None:
-    """Solve for all rows of the value."""
+    """Solve for the remaining rows of the value, if any."""
     if not marks[DONE]:
         substitute(room, marks[WIDE], room, 0, rows, VALUE, DURATION)
         marks[DONE] = True
 
 
 def gained(room: Matrix, s: float, v: float) -> tuple[float, float]:
-    """Return what displacement and velocity gain in a phase that is free."""
+    """Return the changes of displacement and velocity over a free phase."""
     by, d0 = displacement_gained(s), room[PAD, VALUE]
     return by[0] * v + by[1] * d0 + by[2] * room[PAD + 1, VALUE], s * d0
 
@@ -173,7 +176,7 @@ def gained(room: Matrix, s: float, v: float) -> tuple[float, float]:
 def fill_value(
     case: Any, y: Vector, at: Any, N: int, room: Matrix, moments: Matrix, p: int
 ) -> None:
-    """Fill in the right side of a phase, in the column of its value."""
+    """Fill the column of the value with the right side of a phase."""
     kinds, numbers, setting = case[:3]
     m, c, k, f, g = numbers[p, M], numbers[p, C], numbers[p, K], numbers[p, F], numbers[p, G]
     number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
@@ -194,7 +197,7 @@ def fill_value(
 
 
 def take_unseen(case: Any, N: int, p: int, B: Matrix, first: int, last: int) -> None:
-    """Subtract from right sides what rows above the tests say of the part that no test sees."""
+    """Eliminate the part of the residual that is orthogonal to all tests from right sides."""
     kinds, tables = case[0], case[5]
     rows = tests(kinds, p, N)
     for i in range(kinds[p, BESIDE]):
@@ -206,7 +209,7 @@ def take_unseen(case: Any, N: int, p: int, B: Matrix, first: int, last: int) -> 
 def unpack(
     case: Any, y: Vector, at: Any, N: int, rooms: Any, marks: Any, moments: Any, z: Vector
 ) -> None:
-    """Fill in all unknowns of the whole system, where the phases were solved last."""
+    """Fill z with all unknowns of the expansion, from the last solution of the phases."""
     kinds, numbers, setting = case[:3]
     place, at_s = 0, at[len(kinds)] + len(setting)
     for p in range(len(kinds)):

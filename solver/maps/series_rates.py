@@ -1,7 +1,7 @@
-"""The derivatives of the map of a phase, in the columns of its room behind the value.
+"""The derivatives of the map of a phase, in the columns of its room after the value.
 
-Where `series.solve_phases` was called last: by duration, angle of the forcing, constant force,
-displacement and velocity at the begin, and the last coefficients.
+They are taken at the last call of `series.solve_phases`, by duration, angle of the forcing,
+constant force, displacement and velocity at the begin, and the last coefficients.
 """
 
 from typing import Any
@@ -33,7 +33,7 @@ from .series import (
 
 
 def phase_rates(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
-    """Fill in the derivatives of what `solve_phases` filled in, where it was called last."""
+    """Fill in the derivatives of the results of `solve_phases`, at its last call."""
     kinds, setting = case[0], case[2]
     rooms, marks, moments, _, _, ends, by = work
     by[:] = 0.0
@@ -71,7 +71,7 @@ def phase_rates(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
 
 
 def gained_by_duration(room: Matrix, s: float, v: float) -> tuple[float, float]:
-    """Return their derivatives by its duration."""
+    """Return the derivatives of `gained` by the duration."""
     by, by_s = displacement_gained(s), displacement_gained_by_s(s)
     d0, d0_by_s = room[PAD, VALUE], room[PAD, DURATION]
     d1, d1_by_s = room[PAD + 1, VALUE], room[PAD + 1, DURATION]
@@ -83,7 +83,7 @@ def phase_rate(
     case: Any, y: Vector, at: Any, N: int, room: Matrix, marks: Any, moments: Matrix,
     p: int, needed: int, last: int,
 ) -> None:  # fmt: skip
-    """Fill in the derivatives of the value of a phase: needed rows, columns before `last`."""
+    """Solve for the derivatives of a phase's value: `needed` rows, columns before `last`."""
     kinds, numbers = case[0], case[1]
     rows, full, wide = tests(kinds, p, N), kinds[p, BESIDE] > 0, marks[WIDE]
     complete(room, marks, rows)
@@ -103,7 +103,10 @@ def phase_rate(
 def fill_columns(
     case: Any, y: Vector, at: Any, N: int, room: Matrix, moments: Matrix, p: int, last: int
 ) -> None:
-    """Fill in the derivatives of the right side of a phase, less those of its band."""
+    """Fill in right sides for the derivatives of the value.
+
+    Those of the phase's right side, less the derivative of the band times the value.
+    """
     kinds, numbers, setting, _, cell = case[:5]
     m, c, k, g = numbers[p, M], numbers[p, C], numbers[p, K], numbers[p, G]
     number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
@@ -121,9 +124,9 @@ def fill_columns(
             for i in range(max(0, rows + 2 - l), min(5, number + 2 - l)):
                 room[at_row, LAST + l + i - 2 - rows] -= factors[2 + i]
         if g != 0:
-            before, own, after = moment_by_kappa(l)
-            change = own * moments[1, l] + after * moments[1, l + 1]
-            change += before * moments[1, l - 1] if l > 0 else 0.0
+            below, middle, above = moment_by_kappa(l)
+            change = middle * moments[1, l] + above * moments[1, l + 1]
+            change += below * moments[1, l - 1] if l > 0 else 0.0
             slope += of_moment(l, g * cell[1] * change)
             room[at_row, ANGLE] = of_moment(l, g * moments[1, l])
         room[at_row, DURATION] = slope

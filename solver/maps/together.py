@@ -1,10 +1,11 @@
-"""Newton's method on what joins the phases: states, memory and times only.
+"""Newton's method on the condensed system: states, memories and times only.
 
-Given these, each phase is solved for by itself, by its expansion.  What joins the phases is a
-system of as many equations, whatever the order, which `iteration.iterate_within` solves.
+Given these, the coefficients of each phase follow from its linear equations.  The conditions
+that join the phases are a system whose size does not depend on the order; it is solved by
+`iteration.iterate_within`.
 
-What single conditions give is filled in before, exactly.  Where nothing forces and a phase
-begins in a state that is known then, durations are single unknowns: `one_by_one`.
+Unknowns that single conditions determine are filled in before, exactly.  If a phase then begins
+in a known state, and nothing forces, durations are solved for one by one: `one_by_one`.
 """
 
 from typing import Any
@@ -25,15 +26,15 @@ from .one_by_one import known_begin, one_by_one
 from .series import extent, fill_places, solve_phases, unpack, workplace
 from .series_rates import phase_rates
 
-#: In the place of `iteration.FAST`: here a new Jacobian costs little more than a residual.
+#: Replaces `iteration.FAST`: here a new Jacobian costs little more than a residual.
 FAST = 0.001
 
-#: In the place of `iteration.AGAIN`: what is returned is evaluated here.
+#: Replaces `iteration.AGAIN`: the last evaluation is made here.
 AGAIN = np.inf
 
 
 def times_of(place: Any) -> tuple[int, int]:
-    """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
+    """Return the number of unknown durations, and 1 if the case is forced, else 0."""
     case, whole, known = place[0], place[4], place[6]
     forced = 1 if case[4][2] != 0 else 0
     durations, last = 0, len(whole) - forced
@@ -43,7 +44,7 @@ def times_of(place: Any) -> tuple[int, int]:
 
 
 def together_residual(place: Any, y: Vector, R: Vector) -> None:
-    """Fill R with what joins the phases, at what is not known of their unknowns."""
+    """Fill R with the unused conditions that join the phases, at the condensed unknowns y."""
     case, at, N, work, whole, left, known, used = place
     j = 0
     for i in range(len(whole)):
@@ -61,7 +62,7 @@ def together_residual(place: Any, y: Vector, R: Vector) -> None:
 
 
 def together_jacobian(place: Any, y: Vector, J: Matrix) -> None:
-    """Fill J with the derivatives, where the residual was evaluated last."""
+    """Fill J with the derivatives of `together_residual`, at its last call."""
     case, at, N, work, whole, left, known, used = place
     phase_rates(case, whole, at, N, work)
     left[:] = 0.0
@@ -79,11 +80,11 @@ def together_jacobian(place: Any, y: Vector, J: Matrix) -> None:
 
 
 def fitted(place: Any, y: Vector, times: int, R: Vector, J: Matrix) -> None:
-    """Fill in the states and memory that fit the times in `y` best: least squares.
+    """Fill in the states and memories that fit the last `times` entries of y best.
 
-    What joins the phases is linear in them, and there are more equations; each is scaled to a
-    largest coefficient of 1, those of the times included: one that hardly answers to a state
-    says little of it.
+    The conditions are linear in them, and there are more conditions than states: least squares.
+    Each is scaled to a largest coefficient of 1, those of the times included: a condition that
+    hardly depends on states has little weight.
     """
     size, unknown = len(y), len(y) - times
     for i in range(unknown):
@@ -104,7 +105,10 @@ def fitted(place: Any, y: Vector, times: int, R: Vector, J: Matrix) -> None:
 def all_at_once(
     place: Any, z: Vector, limit: int, J: Matrix, exchanged: Any, vectors: Matrix
 ) -> tuple[int, int, float, float]:
-    """Solve for what is not known, from the times in `whole`; the room is Newton's method's."""
+    """Solve for all condensed unknowns by Newton's method, from the times in `whole`.
+
+    `J`, `exchanged` and `vectors` are workspace.
+    """
     case, at, N, work, whole, _, known, used = place
     durations, forced = times_of(place)
     y, j = vectors[5, : len(J)], 0
@@ -113,21 +117,21 @@ def all_at_once(
             y[j] = whole[i]
             j += 1
     fitted(place, y, durations + forced, vectors[0, : len(J)], J)
-    found = iterate_within(place, y, limit, J, exchanged, vectors)
+    outcome = iterate_within(place, y, limit, J, exchanged, vectors)
     together_residual(place, y, vectors[0])
     given_last(case, whole, at, known, used)
     unpack(case, whole, at, N, work[0], work[1], work[2], z)
-    return found
+    return outcome
 
 
 def begin(case: Any, z: Vector, N: int, whole: Vector, marks: Any) -> tuple[int, int]:
-    """Fill in places, times and what single conditions give.
+    """Fill in indices, times and the unknowns that single conditions determine.
 
-    Returned are what `known_begin` does, and how many unknowns are left.
+    Return the result of `known_begin`, and the number of remaining unknowns.
 
     marks : ndarray, shape (3, n)
-        Where the unknowns of each phase begin; of each unknown whether it is known; of each
-        condition whether it is used.
+        Index of the first unknown of each phase; whether each unknown is known; whether each
+        condition is used.
     """
     kinds, at, known, used = case[0], marks[0], marks[1], marks[2]
     fill_places(kinds, N, at)
@@ -145,7 +149,7 @@ def begin(case: Any, z: Vector, N: int, whole: Vector, marks: Any) -> tuple[int,
 def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
     """Solve ``residual(case, z) = 0`` from the times in `z`, which is overwritten.
 
-    See `iteration.iterate_scene`; the norm returned is that of what joins the phases.
+    See `iteration.iterate_scene`; the norm returned is that of the conditions between phases.
     """
     count, N = len(case[0]), order_of(case, z)
     size, length, columns, _ = extent(case, N)
