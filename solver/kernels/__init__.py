@@ -1,1 +1,1 @@
-"""The equations of a scene by a method, as functions of arrays, and where Newton starts."""
+"""Kernels: the equations of a scene by a method over arrays; starting values for Newton."""

@@ -1,4 +1,4 @@
-"""Kernels of bodies, of the times alone: force series, harmonics, the exact equations."""
+"""Kernels of bodies, solved for times alone: force series, harmonics, exact equations."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -34,15 +34,15 @@ LOWEST = 1
 
 
 class Given(NamedTuple):
-    """What the functions of a kernel take.
+    """First argument of a kernel's functions.
 
     Parameters
     ----------
     cell : BodyCell
     order : int
-        N; 0 of the exact equations.
+        N; 0 for the exact equations.
     functions : int, optional
-        Of harmonics: how many functions are beside them at each switch.
+        Number of functions added to the harmonics at each switch; None for the force series.
     """
 
     cell: "BodyCell"
@@ -53,19 +53,19 @@ class Given(NamedTuple):
 def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     """Return the functions of the force series, and Newton's method on its times.
 
-    Compiled, integrals are of one pole after the other.
+    Compiled functions integrate for one pole at a time, plain ones for arrays of poles.
     """
     by_pole = () if make is rebuilt else (one_by_one,)
-    found = linking.made((force_series, integrals, *by_pole, series, equations), {}, make)
-    own = found["residual"], found["jacobian"], found["times_of"]
-    newton = linking.newton_with(*own, make, FAST=events.FAST)
-    return found | {"iterate": newton["iterate_scene"]}
+    functions = linking.made((force_series, integrals, *by_pole, series, equations), {}, make)
+    system = functions["residual"], functions["jacobian"], functions["times_of"]
+    newton = linking.newton_with(*system, make, FAST=events.FAST)
+    return functions | {"iterate": newton["iterate_scene"]}
 
 
-#: What solves for the times.
+#: Names of the functions that solve for the times.
 SOLVING = "residual", "jacobian", "iterate"
 
-#: The force series: one kernel of all bodies, and all that is compiled with it.
+#: Modules compiled with the force series, one kernel for all bodies.
 MODULES = (force_series, integrals, one_by_one, series, *linking.SEVERAL)
 FAMILY = Family(linked, MODULES, events.residual, seconds=20.0)
 
@@ -82,9 +82,9 @@ def kernel(
     ----------
     scene, method : LoadedScene, str
     functions : int, optional
-        Beside the harmonics, of a method that has them.
+        Number of functions added to the harmonics, of a method that has them.
     compiles : callable
-        Whether it is to be compiled, where it can be, by what it has cost.
+        ``compiles(account)``: whether to compile the kernel, if it can be compiled.
     """
     count, memory = len(scene.kinds), scene.memory
     forced, beside = scene.frequency is not None, None
@@ -95,9 +95,9 @@ def kernel(
         spent = FAMILY.account_of(events.__name__)
         compile_it = compiles(spent)
         account = None if compile_it else spent
-        found = (FAMILY.compiled if compile_it else FAMILY.plain)(events.__name__)
-        solving = [_of_arrays(found[name]) for name in SOLVING]
-    own = _made(method, count, len(memory), forced, 0, solving)
+        linked_functions = (FAMILY.compiled if compile_it else FAMILY.plain)(events.__name__)
+        solving = [_of_arrays(linked_functions[name]) for name in SOLVING]
+    made = _made(method, count, len(memory), forced, 0, solving)
 
     def coefficients(z: Vector) -> dict[str, tuple[Any, int]]:
         return {name: (z[i], power) for i, (name, _, power, _) in enumerate(memory)}
@@ -105,19 +105,19 @@ def kernel(
     def given(case: Any, order: int) -> Given:
         return Given(case.cell, order, beside)
 
-    return replace(own, coefficients=coefficients, given=given, account=account)
+    return replace(made, coefficients=coefficients, given=given, account=account)
 
 
 def exact_kernel(cell: "BodyCell") -> Kernel:
-    """Return the exact equations of a cell of a body."""
+    """Return the kernel of the exact equations of a cell of a body."""
     count, memory = len(cell.phases), len(cell.memory)
     solving = _of_evaluations(count, cell.forced)
-    own = _made("exact", count, memory, cell.forced, 2 * count, solving)
-    return replace(own, given=lambda case, order: Given(cell, 0))
+    made = _made("exact", count, memory, cell.forced, 2 * count, solving)
+    return replace(made, given=lambda case, order: Given(cell, 0))
 
 
 def _of_evaluations(count: int, forced: bool) -> list[Any]:
-    """Return `SOLVING` for the exact equations and harmonics."""
+    """Return the functions `SOLVING` of the exact equations and of harmonics."""
     newton = linking.linked(residual, jacobian, count, forced, FAST=events.FAST)
     return [residual, jacobian, newton]
 
@@ -125,11 +125,11 @@ def _of_evaluations(count: int, forced: bool) -> list[Any]:
 def _made(
     method: str, count: int, memory: int, forced: bool, states: int, solving: list[Any]
 ) -> Kernel:
-    """Return a kernel whose unknowns are states, if any, the memory, and the times.
+    """Return a kernel whose unknowns are `states` entries of states, the memories, and times.
 
-    What solves it, by `SOLVING`, is of the times alone.
+    The functions `solving` are of the times alone; the other unknowns are filled in afterwards.
     """
-    (left_sides, slopes, newton), width = solving, count + forced
+    (times_residual, times_jacobian, newton), width = solving, count + forced
 
     def iterate(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
         case = _given(case)
@@ -157,8 +157,8 @@ def _made(
         forced=forced,
         lowest=LOWEST,
         size=lambda order: states + memory + width,
-        residual=left_sides,
-        jacobian=slopes,
+        residual=times_residual,
+        jacobian=times_jacobian,
         motion=motion,
         coefficients=lambda z: {},
         iterate=iterate,
@@ -168,21 +168,22 @@ def _made(
 
 
 def _of_arrays(function: Any) -> Any:
-    """Return a function of the force series that takes what a kernel is given."""
+    """Return a function of the force series with a `Given` as first argument."""
 
-    def of_given(case: Given, *more: Any) -> Any:
-        own = setting(case.cell, case.order)
-        return function(own._replace(kept=own.kept.copy()), *more)  # of this call alone
+    def of_given(case: Given, *others: Any) -> Any:
+        arrays = setting(case.cell, case.order)
+        return function(arrays._replace(kept=arrays.kept.copy()), *others)  # of this call alone
 
     return of_given
 
 
 def _given(case: Any) -> Given:
-    """Return a cell and an order; of the exact equations the cell alone is given."""
+    """Return the argument of a kernel as `Given`; exact equations may take the cell alone."""
     return case if isinstance(case, Given) else Given(case, 0)
 
 
 def _evaluated(case: Any, times: Vector) -> Any:
+    """Return residual and Jacobian of the exact equations or of harmonics, at given times."""
     cell, order, functions = _given(case)
     if order == 0:
         return exact.evaluated(cell, times)
@@ -190,7 +191,7 @@ def _evaluated(case: Any, times: Vector) -> Any:
 
 
 def residual(case: Any, times: Vector, R: Vector) -> None:
-    """Fill R with the events and the length of the cell, at times alone."""
+    """Fill R with the residuals of the events and of the cell's duration, at given times."""
     try:
         R[:] = _evaluated(case, times).residual
     except np.linalg.LinAlgError:
@@ -198,7 +199,7 @@ def residual(case: Any, times: Vector, R: Vector) -> None:
 
 
 def jacobian(case: Any, times: Vector, J: Matrix) -> None:
-    """Fill J with their derivatives."""
+    """Fill J with the derivatives of `residual` by the times."""
     try:
         J[:] = _evaluated(case, times).jacobian
     except np.linalg.LinAlgError:
@@ -206,15 +207,14 @@ def jacobian(case: Any, times: Vector, J: Matrix) -> None:
 
 
 def _fill(case: Given, z: Vector, times: Vector, states: int) -> None:
-    """Fill what stands before the times: the state in which phases begin, and the memory."""
+    """Fill in the unknowns before the times: states at the begin of phases, and memories."""
     cell, order, functions = case
-    before = states
     if order == 0:
-        found = exact.evaluated(cell, times)
+        starts = exact.evaluated(cell, times).starts
         first = parts_of(cell)[0].lawful.A.shape[0]
-        own = [found.starts[each.phase][first + i] for i, each in enumerate(cell.memory)]
+        memory = [starts[each.phase][first + i] for i, each in enumerate(cell.memory)]
         for p in range(len(cell.phases)) if states else ():
             z[2 * p : 2 * p + 2] = motions.signals(cell, 0, times, p, np.zeros(1))[:2, 0]
     else:
-        own = list(motions.memory_of(cell, order, functions, times))
-    z[before : before + len(cell.memory)] = own
+        memory = list(motions.memory_of(cell, order, functions, times))
+    z[states : states + len(cell.memory)] = memory

@@ -1,13 +1,13 @@
-"""Functions of generated modules over other names: as plain Python, or compiled by numba.
+"""Functions rebuilt over another namespace: as plain Python, or compiled by numba.
 
-Which of the two is quicker depends on how often a kernel is used, and nobody says that
-beforehand.  So a kernel begins in plain Python, and is compiled, or loaded from numba's cache,
-once it has cost about as long as that takes: what is spent in all is then at most about twice
-what knowing would have cost.  Both give the same bits.
+Which of the two is quicker depends on how often a kernel is used, which is not known in
+advance.  So a kernel begins in plain Python, and is compiled, or loaded from numba's cache,
+once it has taken about as long as that takes.  The total is then at most about twice that of
+the better choice.  Both give the same bits.
 
-The cache is a convenience: where it cannot be read or written, because a disk is full or
-damaged, or others could have written to it, kernels are compiled all the same, for this
-process, and a `CacheWarning` says so.
+The cache is a convenience.  If it cannot be read or written (disk full, file damaged), or
+others could have written to it, kernels are compiled for this process only, and a
+`CacheWarning` says so.
 """
 
 import os
@@ -25,24 +25,28 @@ from ..scenes.sealed import NotPrivate
 #: Up to this order a kernel begins as plain Python; beyond, one solve takes as long as loading.
 PLAIN_ORDER = 48
 
-#: Seconds that numba and a kernel from its cache take, a further kernel, and most that are to
-#: be compiled.
+#: Seconds to load numba and a first kernel from its cache, to load a further one, and to
+#: compile most kernels.
 START, LOAD, COMPILE = 0.5, 0.05, 8.0
 
 
-#: Bytes of bytecode of a function without arrays of its own that is copied into its callers:
-#: to hand over a dozen arrays takes as long as what such a function does with them.
+#: Most bytes of bytecode of a function without arrays of its own that is inlined: passing a
+#: dozen arrays takes as long as its body.
 SHORT = 1200
 
 
 class Account:
-    """What a kernel has cost in plain Python in this process, and whether compiling it pays.
+    """The time a kernel has taken in plain Python in this process; whether compiling it pays.
 
-    It is found in numba's cache by the file and the name of a function, with its fingerprint;
-    compiling it takes so many seconds.
+    Parameters
+    ----------
+    file, name : str
+        File and name, with a fingerprint, of the function that is looked for in numba's cache.
+    compiling : float
+        Seconds that compiling the kernel takes.
     """
 
-    #: What all kernels have cost.
+    #: Seconds that all kernels have taken.
     total = 0.0
 
     def __init__(self, file: str, name: str, compiling: float = COMPILE) -> None:
@@ -53,7 +57,7 @@ class Account:
 
     @contextmanager
     def spending(self) -> Iterator[None]:
-        """Count the time of the processor within: how busy the machine is does not matter."""
+        """Count the processor time of a ``with`` block, which does not depend on other load."""
         begin = time.thread_time()
         try:
             yield
@@ -63,7 +67,7 @@ class Account:
             Account.total += spent
 
     def pays(self) -> bool:
-        """Return whether the next use is better by the compiled kernel."""
+        """Return whether the next use should be by the compiled kernel."""
         if self.is_compiled:
             return True
         if self.seconds < LOAD * self._compiling / COMPILE or Account.total < LOAD:
@@ -73,7 +77,7 @@ class Account:
         return "numba" in sys.modules or Account.total >= START
 
     def is_cached(self) -> bool:
-        """Return whether the compiled kernel is in numba's cache, as far as can be seen."""
+        """Return whether numba's cache seems to have the compiled kernel, by names of files."""
         if self._cached is None:
             folder, pattern = os.environ.get("NUMBA_CACHE_DIR"), f"*.{self._name}-*.nbc"
             beside = (Path(self._file).parent / "__pycache__").glob(pattern)
@@ -82,24 +86,25 @@ class Account:
 
 
 def rebuilt(function: Any, namespace: dict[str, Any], counted: bool = True) -> Any:
-    """Return the same function over another namespace, where it finds what it calls."""
+    """Return the same function over another namespace, which has its global names."""
     clone = types.FunctionType(function.__code__, namespace, function.__name__)
     clone.__module__ = function.__module__
     return clone
 
 
 class CacheWarning(UserWarning):
-    """What is compiled is not kept for the next process."""
+    """Compiled kernels are not cached for the next process."""
 
 
 def inner(function: types.FunctionType, *, counted: bool = True) -> Any:
-    """Return `function` compiled for others that are compiled, which Python cannot call.
+    """Return `function` compiled for calls from compiled functions; Python cannot call it.
 
     Parameters
     ----------
     counted : bool
-        Whether numba counts who holds its arrays.  What makes none need not, and each count
-        takes as long as some ten operations; numba refuses to compile it if it does make one.
+        Whether numba counts references to arrays.  Functions that allocate none do not need it,
+        and each count takes as long as ten operations.  numba refuses to compile a function
+        without counts that allocates an array.
     """
     import numba  # noqa: PLC0415  (750 ms, for compiled kernels only)
 
@@ -114,16 +119,16 @@ def inner(function: types.FunctionType, *, counted: bool = True) -> Any:
 
 
 def entry(compiled: Any) -> Any:
-    """Return an `inner` function for Python to call, kept in numba's cache if possible.
+    """Return an `inner` function compiled for calls from Python, cached if possible.
 
-    What is none, a constant or a function where numba is disabled, is returned as it is.
+    Anything else (a constant, or a function if numba is disabled) is returned unchanged.
     """
     options = getattr(compiled, "targetoptions", None)
     return compiled if options is None else jit(compiled.py_func, **options)
 
 
 def jit(function: types.FunctionType, **options: Any) -> Any:
-    """Return `function` compiled, and kept in numba's cache where that can be written."""
+    """Return `function` compiled, with numba's cache if it can be used."""
     import numba  # noqa: PLC0415  (see `inner`)
 
     text = Path(function.__code__.co_filename)
@@ -132,29 +137,34 @@ def jit(function: types.FunctionType, **options: Any) -> Any:
     except NotPrivate as refusal:
         _warn_once(refusal.filename, str(refusal.strerror))
     except RuntimeError:  # numba found no folder that it can write to
-        if text.exists():  # what is not from a file has no cache anywhere
+        if text.exists():  # a function that is not from a file has no cache anyway
             folder = text.parent / "__pycache__"
             _warn_once(str(folder), "not writable, and no other folder is")
     return numba.jit(**options)(function)
 
 
 class Entries(dict[str, Any]):
-    """Compiled functions by their names, each made for Python when it is asked for."""
+    """Compiled functions by their names; each is compiled for Python at its first use."""
 
     def __init__(self, of: dict[str, Any]) -> None:
         super().__init__()
         self._of = of
 
     def __missing__(self, name: str) -> Any:
-        """Return the function of a name."""
-        found = self[name] = entry(self._of[name])
-        return found
+        """Compile the function of a name for Python, and return it."""
+        compiled = self[name] = entry(self._of[name])
+        return compiled
 
 
 def _cached(function: types.FunctionType, source: Path, options: dict[str, Any]) -> Any:
     """Return a function of the folder `source` compiled, with numba's cache.
 
-    `NotPrivate` is raised if others may write to it, a RuntimeError if there is no folder.
+    Raises
+    ------
+    NotPrivate
+        If others may write to the cache.
+    RuntimeError
+        If there is no folder for it.
     """
     import numba  # noqa: PLC0415  (see `inner`)
 
@@ -167,12 +177,12 @@ def _cached(function: types.FunctionType, source: Path, options: dict[str, Any])
     return found
 
 
-#: What was said of the cache in this process: one line is enough.
+#: The warning that was given in this process: one is enough.
 _SAID: list[str] = []
 
 
 def _warn_once(folder: str, cause: str) -> None:
-    """Warn that what is compiled is not kept."""
+    """Warn, once in a process, that compiled kernels are not cached."""
     words = f"numba's cache: {folder}: {cause}; kernels are compiled for this process alone"
     if not _SAID:
         _SAID.append(words)

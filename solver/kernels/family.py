@@ -1,4 +1,4 @@
-"""What kernels of a family of methods share: a module, linked as plain Python or compiled."""
+"""Families of methods whose generated modules are linked alike, as plain Python or compiled."""
 
 import hashlib
 import sys
@@ -19,9 +19,16 @@ from .linking import Make, text_of
 class Family:
     """Methods whose generated modules are linked in one way.
 
-    ``link(module, make)`` gives the functions of a generated module and what solves it;
-    `modules` are compiled with it, and by `entry` it is found in numba's cache.  Compiling it
-    takes so many `seconds`.
+    Parameters
+    ----------
+    link : callable
+        ``link(module, make)`` returns the functions of a generated module and their solver.
+    modules : tuple of module
+        Modules that are compiled with it.
+    entry : function
+        The function whose compiled form is looked for in numba's cache.
+    seconds : float
+        Time that compiling takes.
     """
 
     link: Callable[[ModuleType, Make], dict[str, Any]]
@@ -30,17 +37,17 @@ class Family:
     seconds: float = COMPILE
 
     def account(self, method: str) -> Account:
-        """Return what all kernels of the module of a method have cost in plain Python."""
+        """Return the account of the generated module of a method."""
         return self.account_of(module_of(method).__name__)
 
     @cache  # noqa: B019  (there are as many families as methods of linking)
     def kernel(self, layout: Any, compile_it: bool) -> Kernel:
-        """Return the kernel of a method for a scene, by the layout of its unknowns.
+        """Return the kernel of a method for a scene, from the layout of its unknowns.
 
-        Linked it is once for all scenes, as plain Python or compiled.
+        Its functions are linked once for all scenes.
         """
         module = module_of(layout.method).__name__
-        found = (self.compiled if compile_it else self.plain)(module)
+        functions = (self.compiled if compile_it else self.plain)(module)
         return Kernel(
             method=layout.name,
             durations=len(layout.classes),
@@ -53,26 +60,26 @@ class Family:
             account=None if compile_it else self.account_of(module),
             starts=layout.starts,
             motion=self.plain(module)["motion"],  # of NumPy
-            **{name: found[name] for name in ("residual", "jacobian", "iterate")},
+            **{name: functions[name] for name in ("residual", "jacobian", "iterate")},
         )
 
     @cache  # noqa: B019
     def account_of(self, name: str) -> Account:
-        """Return what a module, by its name, has cost in plain Python."""
-        own = f"{self.entry.__name__}_{self.fingerprint(name)}"
-        return Account(self.entry.__code__.co_filename, own, self.seconds)
+        """Return the account, one a process, of the module of a name."""
+        entry_name = f"{self.entry.__name__}_{self.fingerprint(name)}"
+        return Account(self.entry.__code__.co_filename, entry_name, self.seconds)
 
     def fingerprint(self, name: str) -> str:
-        """Return a hash of all that is compiled."""
+        """Return a hash of the text of all modules that are compiled with that of a name."""
         text = text_of(sys.modules[name], *self.modules, compiling)
         return hashlib.sha256(name.encode() + text).hexdigest()[:16]
 
     def quicker(self, name: str) -> dict[str, Any]:
-        """Return the functions of a module by its name, in the form that is quicker by now."""
+        """Return the functions of the module of a name, compiled if that pays by now."""
         return (self.compiled if self.account_of(name).pays() else self.plain)(name)
 
     def call(self, module: str, function: str, *arguments: Any) -> Any:
-        """Return what a function makes of arguments, in the form that is quicker by now."""
+        """Call a function of a module, compiled if that pays by now; count the time if not."""
         account = self.account_of(module)
         if account.pays():
             return self.compiled(module)[function](*arguments)
@@ -81,16 +88,16 @@ class Family:
 
     @cache  # noqa: B019
     def plain(self, name: str) -> dict[str, Any]:
-        """Return the functions of a module by its name, as plain Python."""
+        """Return the functions of the module of a name, as plain Python."""
         return self.link(sys.modules[name], rebuilt)
 
     @cache  # noqa: B019
     def inner(self, name: str) -> dict[str, Any]:
-        """Return them compiled by numba, for others that are compiled."""
+        """Return them compiled by numba, for calls from compiled functions."""
         return self.link(sys.modules[name], for_others(self.fingerprint(name)))
 
     @cache  # noqa: B019
     def compiled(self, name: str) -> dict[str, Any]:
-        """Return them compiled by numba, for Python to call, cached where possible."""
+        """Return them compiled by numba, for calls from Python, cached if possible."""
         self.account_of(name).is_compiled = True
         return Entries(self.inner(name))

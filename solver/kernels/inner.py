@@ -1,9 +1,9 @@
-"""Functions that compiled functions alone call: numba makes no machine code of them.
+"""Compilation without machine code, for functions that only compiled functions call.
 
-numba optimises each function together with all that it calls, and makes machine code of both.
-Of a function that is called by another all that is done again there.  Here such a function
-stays as the intermediate code that its callers take over, so that each part is optimised once
-for each function that Python calls: half the time of compiling.
+numba optimises each function together with all that it calls, and makes machine code of both;
+for a function that is called by another, all this is done again in the caller.  Here such a
+function remains LLVM intermediate code, which its callers include.  It is then optimised only
+once for each function that Python calls: half the time of compilation.
 """
 
 from typing import Any
@@ -15,7 +15,7 @@ from numba.core.typed_passes import AnnotateTypes, NativeLowering
 
 
 class IntermediateCode(JITCodeLibrary):
-    """What a function becomes: neither optimised nor machine code, as its callers will be."""
+    """A library of code that is neither optimised nor made machine code."""
 
     def _optimize_final_module(self) -> None:
         pass
@@ -26,7 +26,7 @@ class IntermediateCode(JITCodeLibrary):
 
 @register_pass(mutates_CFG=False, analysis_only=False)
 class ToIntermediateCode(LoweringPass):
-    """Have numba make intermediate code alone, with no way in from Python or C."""
+    """Have numba make intermediate code only, without entry points for Python or C."""
 
     _name = "to_intermediate_code"
 
@@ -34,7 +34,7 @@ class ToIntermediateCode(LoweringPass):
         super().__init__()
 
     def run_pass(self, state: Any) -> bool:
-        """Say so before numba makes any code."""
+        """Set library and flags before numba generates code."""
         state.library = IntermediateCode(state.targetctx.codegen(), state.func_id.func_qualname)
         for flag in ("no_compile", "no_cpython_wrapper", "no_cfunc_wrapper"):
             setattr(state.flags, flag, True)
@@ -43,7 +43,7 @@ class ToIntermediateCode(LoweringPass):
 
 @register_pass(mutates_CFG=False, analysis_only=False)
 class FoundByItsCallers(LoweringPass):
-    """Let numba find the code of a function where others call it."""
+    """Register the code of a function for its callers."""
 
     _name = "found_by_its_callers"
 
@@ -51,7 +51,7 @@ class FoundByItsCallers(LoweringPass):
         super().__init__()
 
     def run_pass(self, state: Any) -> bool:
-        """Register it by a builtin of its own, as numba demands; Python's call of it fails."""
+        """Register it under a builtin of its own, as numba demands; Python cannot call it."""
         nothing: dict[Any, Any] = {}
         key = nothing.__getitem__
         state.targetctx.insert_user_function(key, state.cr.fndesc, [state.library])
@@ -60,10 +60,10 @@ class FoundByItsCallers(LoweringPass):
 
 
 class Inner(CompilerBase):
-    """numba's passes, with intermediate code at the end."""
+    """numba's compiler, ending with intermediate code."""
 
     def define_pipelines(self) -> list[PassManager]:
-        """Return the passes, in their order."""
+        """Return numba's passes with the two of this module."""
         passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
         passes.add_pass_after(ToIntermediateCode, AnnotateTypes)
         passes.add_pass_after(FoundByItsCallers, NativeLowering)

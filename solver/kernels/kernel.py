@@ -1,8 +1,8 @@
 """Kernels of a scene: residual, Jacobian, motion of one method, and Newton's method for them.
 
-They come from a generated module, plain or compiled, or are made in place, as the exact
-equations are.  Compiled functions stand in numba's cache under names that carry a hash of all
-that is compiled with them, so that a change finds nothing old.
+The functions are those of a generated module, plain or compiled, or, for the exact equations,
+written by hand.  Compiled functions have names in numba's cache with a hash of all that is
+compiled with them, so that no outdated one is found.
 """
 
 from collections.abc import Callable
@@ -26,31 +26,31 @@ class Kernel:
     method : str
         Generic name.
     durations : int
-        Phases of the cell: so many unknowns behind the coefficients are durations.
+        Number of phases of the cell; the durations follow the coefficients in the unknowns.
     forced : bool
         Whether the last unknown is the phase of the forcing.
     lowest : int
         The lowest order.
     size : callable
-        Number of unknowns of an order.
+        ``size(order)``: number of unknowns.
     residual, jacobian, motion : callable
         ``residual(given, z, R)``, ``jacobian(given, z, J)``, and
         ``motion(given, z, p, u, derivative)``.
     coefficients : callable
-        Unknowns by name, each with the power of 1/time in its unit.
+        ``coefficients(z)``: unknowns by name, each with the power of 1/time in its unit.
     iterate : callable
-        ``iterate(given, z, limit)``: `iteration.iterate_scene` for these, or, if `condensed`,
-        `together.iterate_together`.
+        ``iterate(given, z, limit)``: Newton's method for these functions, as
+        `iteration.iterate_scene` or, if `condensed`, `together.iterate_together`.
     given : callable
-        ``given(case, order)``: what these functions take for a case.
+        ``given(case, order)``: the first argument of these functions.
     condensed : bool
-        Whether it starts from the times in ``z`` alone.
+        Whether `iterate` needs starting values of the times in ``z`` only.
     account : Account or None
-        What it has cost as plain Python; None of what is compiled, or has no other form.
+        The time it has taken as plain Python; None if it is compiled, or has one form only.
     starts : bool
         Whether the scene's start is imposed in place of the event that ends the first phase.
     signals : callable, optional
-        Of a body, ``signals(given, z, p, u)``: all that linear forms are of.
+        For a body, ``signals(given, z, p, u)``: the quantities of linear forms; see `Motion`.
     """
 
     method: str
@@ -70,7 +70,7 @@ class Kernel:
     signals: Callable[[Any, Vector, int, Vector], Matrix] | None = None
 
     def spending(self) -> AbstractContextManager[None]:
-        """Count the time within as what the kernel costs in plain Python."""
+        """Count the time of a ``with`` block in the kernel's account, if it has one."""
         return nullcontext() if self.account is None else self.account.spending()
 
     def times(self, z: Vector) -> Vector:
@@ -84,7 +84,7 @@ class Kernel:
 
 
 def for_others(key: str) -> Make:
-    """Return what compiles functions for others, under names with a key of all they are of."""
+    """Return a `Make` that compiles functions for compiled callers; `key` is in their names."""
 
     def compiled_one(function: Any, names: dict[str, Any], counted: bool) -> Any:
         clone = rebuilt(function, names)

@@ -1,4 +1,4 @@
-"""Functions of a kernel and Newton's method, linked to each other: plain, or compiled."""
+"""Linking of a kernel's functions and Newton's method over one namespace, plain or compiled."""
 
 import builtins
 import cmath
@@ -32,18 +32,19 @@ from .compiling import rebuilt
 SEVERAL, ONE = (linear, iteration), (single,)
 NEWTON = SEVERAL + ONE
 
-#: Modules of motions that are polynomials on each phase, and of the quick way to them.
+#: Modules of motions that are polynomials on each phase; the same with their condensation.
 POLYNOMIALS = (moments, joints, polynomials)
 MAPS = (band, linear, series, series_rates, alone, one_by_one, together, *POLYNOMIALS)
 
-#: Modules of motions that are one series over the period; of one function beside it.
+#: Modules of motions that are one series over the period; the same with one function added.
 SERIES = (hb, moments, harmonics, joints, fourier, orthogonality, breaking, whole_period)
 WITH_ONE = (*SERIES, one_function)
 
-#: Attributes, of modules and of numbers, that make no array.
+#: Attributes, of modules and of numbers, whose use allocates no array.
 OF_NUMBERS = {"imag", "real", "shape"}.union(vars(cmath), vars(math))
 
-#: Makes a function over a namespace, plain or compiled; `counted` is whether it makes arrays.
+#: ``make(function, namespace, counted)``: a function over a namespace, plain or compiled;
+#: `counted` if it may allocate arrays.
 Make = Callable[[Any, dict[str, Any], bool], Any]
 
 
@@ -56,49 +57,55 @@ def linked(
 ) -> Iteration:
     """Return `iteration.iterate_scene` for a residual and Jacobian, as plain Python.
 
-    With other constants, where some are given.
+    `constants` replace those of the module.
     """
 
     def times_of(case: Any) -> tuple[int, int]:
         return durations, int(forced)
 
-    found = newton_with(residual, jacobian, times_of, rebuilt, **constants)
-    iterate: Iteration = found["iterate_scene"]
+    functions = newton_with(residual, jacobian, times_of, rebuilt, **constants)
+    iterate: Iteration = functions["iterate_scene"]
     return iterate
 
 
 def newton_with(
     residual: Any, jacobian: Any, times_of: Any, make: Make, **constants: float
 ) -> dict[str, Any]:
-    """Return all functions of Newton's method for such functions, with other constants."""
-    own = {"residual": residual, "jacobian": jacobian, "times_of": times_of}
-    return made(SEVERAL, own | constants, make, of_numbers=own)
+    """Return the functions of Newton's method, linked to those of a system of equations.
+
+    `constants` replace those of the modules.
+    """
+    system = {"residual": residual, "jacobian": jacobian, "times_of": times_of}
+    return made(SEVERAL, system | constants, make, of_numbers=system)
 
 
 def times_of(case: Any) -> tuple[int, int]:
-    """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
+    """Return the number of unknown durations, and 1 if the case is forced, else 0."""
     return len(case[0]), 1 if case[4][2] != 0 else 0
 
 
 def over_the_period(
     modules: tuple[types.ModuleType, ...], equations: types.ModuleType, make: Make
 ) -> dict[str, Any]:
-    """Return the functions of modules and a generated one, and Newton's method on them."""
-    found = made((*modules, equations), {}, make)
-    own = found["residual"], found["jacobian"], make(times_of, found, False)
-    return found | {"iterate": newton_with(*own, make)["iterate_scene"]}
+    """Return the functions of modules and a generated one, with Newton's method for them."""
+    functions = made((*modules, equations), {}, make)
+    system = functions["residual"], functions["jacobian"], make(times_of, functions, False)
+    return functions | {"iterate": newton_with(*system, make)["iterate_scene"]}
 
 
 def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:
-    """Return the functions of motions by a generated module, and the quick way to them."""
-    found = made((*MAPS, equations), {}, make)
-    residual, jacobian = found["together_residual"], found["together_jacobian"]
+    """Return the functions of motions that are polynomials on each phase.
+
+    With a generated module of equations, their condensation, and Newton's method for it.
+    """
+    functions = made((*MAPS, equations), {}, make)
+    residual, jacobian = functions["together_residual"], functions["together_jacobian"]
     changed = {"FAST": together.FAST, "AGAIN": together.AGAIN}
-    newton = newton_with(residual, jacobian, found["times_of"], make, **changed)
-    found["iterate_within"] = newton["iterate_within"]
-    own = {"residual": found["event_residual"], "jacobian": found["event_rate"]}
-    found["iterate_single"] = made(ONE, own, make, of_numbers=own)["iterate_single"]
-    return found | {"iterate": found["iterate_together"]}
+    newton = newton_with(residual, jacobian, functions["times_of"], make, **changed)
+    functions["iterate_within"] = newton["iterate_within"]
+    event = {"residual": functions["event_residual"], "jacobian": functions["event_rate"]}
+    functions["iterate_single"] = made(ONE, event, make, of_numbers=event)["iterate_single"]
+    return functions | {"iterate": functions["iterate_together"]}
 
 
 def made(
@@ -108,15 +115,20 @@ def made(
     *,
     of_numbers: Container[str] = (),
 ) -> dict[str, Any]:
-    """Return the content of modules and what is given, their functions made over all that.
+    """Return the joint namespace of modules and `given` names, with functions made over it.
 
-    Functions with no body stand for those that are given, or put in later.  Those of the given
-    that are `of_numbers` return no arrays.
+    Later modules replace names of earlier ones, `given` replaces both.  Placeholders, functions
+    that raise NotImplementedError, are not made: they are given, or put in later.
+
+    Parameters
+    ----------
+    of_numbers : container of str
+        The functions among `given` that return no arrays.
     """
-    namespace: dict[str, Any] = {"__builtins__": builtins}  # by which NumPy imports its own
+    namespace: dict[str, Any] = {"__builtins__": builtins}  # NumPy's imports need it
     for module in modules:
         namespace |= {name: q for name, q in vars(module).items() if not name.startswith("__")}
-    own = {
+    functions = {
         name: value
         for module in modules
         for name, value in vars(module).items()
@@ -124,30 +136,30 @@ def made(
         and value.__module__ == module.__name__
         and "NotImplementedError" not in value.__code__.co_names
     }
-    others = {name for name, one in given.items() if callable(one) and name not in of_numbers}
-    makers = set(own) if make is rebuilt else with_arrays(own, others)
-    for name, value in own.items():
-        namespace[name] = make(value, namespace, name in makers)
+    others = {name for name, q in given.items() if callable(q) and name not in of_numbers}
+    counted = set(functions) if make is rebuilt else with_arrays(functions, others)
+    for name, value in functions.items():
+        namespace[name] = make(value, namespace, name in counted)
     namespace |= given
     return namespace
 
 
 def with_arrays(functions: dict[str, types.FunctionType], others: set[str]) -> set[str]:
-    """Return which of some functions may make arrays, or take over arrays of what they call.
+    """Return the names of functions that may allocate or own arrays, or call one that may.
 
-    Of the `others` nothing is known.
+    The `others`, of which nothing is known, are among them.
     """
-    found = set(others)
+    owners = set(others)
     for name, value in functions.items():
         is_array = value.__annotations__.get("return") in (Vector, Matrix, Complex)
         if is_array or not attributes(value) <= OF_NUMBERS:
-            found.add(name)
-    more = found
-    while more:
+            owners.add(name)
+    new = owners
+    while new:
         calling = ((name, value.__code__.co_names) for name, value in functions.items())
-        more = {name for name, used in calling if not found.isdisjoint(used)} - found
-        found |= more
-    return found
+        new = {name for name, used in calling if not owners.isdisjoint(used)} - owners
+        owners |= new
+    return owners
 
 
 def attributes(function: types.FunctionType) -> set[str]:
@@ -161,5 +173,5 @@ def attributes(function: types.FunctionType) -> set[str]:
 
 @cache
 def text_of(*modules: types.ModuleType) -> bytes:
-    """Return the text of what is compiled together."""
+    """Return the source text of modules that are compiled together."""
     return b"".join(Path(str(module.__file__)).read_bytes() for module in modules)

@@ -1,9 +1,9 @@
-"""numba's cache of one function, so guarded that nothing in it is run but what was kept there.
+"""numba's cache of one function, guarded so that only code that was written there is run.
 
-numba itself looks neither for files that were cut or changed nor for files in each other's
-place.  So what is kept has a hash of itself, of its function and of its types, and what is not
-so is compiled anew.  A file that is forged, with its hash, cannot be told: against that stands
-that only who may change the source may write to the folder.
+numba itself notices neither files that were cut or changed nor files that were interchanged.
+So each entry has a hash of its content, function and types, and one that does not match is
+compiled anew.  A forged file with a matching hash is not noticed; against this, the folder must
+be writable only for those who may change the source.
 """
 
 import glob
@@ -20,7 +20,7 @@ from ..scenes.sealed import OTHERS, check_private
 
 @contextmanager
 def owned() -> Iterator[None]:
-    """Let no one else write to the files that are made within."""
+    """Make files created in a ``with`` block writable for their owner only."""
     before = os.umask(OTHERS)
     os.umask(before | OTHERS)
     try:
@@ -30,12 +30,12 @@ def owned() -> Iterator[None]:
 
 
 def check_cache(cached: Any, source: Path) -> None:
-    """Check that no one can have written to a cache of numba who cannot change the source.
+    """Check that only users who may change the source can have written to a cache of numba.
 
     Raises
     ------
     NotPrivate
-        Naming the folder, or a file in it.
+        Naming the folder or file that others may write to.
     """
     folder, names = Path(cached.cache_path), glob.escape(cached._impl.filename_base)
     check_private(folder, source)
@@ -45,17 +45,17 @@ def check_cache(cached: Any, source: Path) -> None:
 
 
 def guard(cached: Any, name: str, say: Callable[[str, str], None]) -> None:
-    """Use a cache of numba only as it was kept, and let compiling go on where it cannot be.
+    """Seal the entries of a cache of numba, and disable it if it cannot be read or written.
 
-    numba has no place for that, and raises what the system says, with no folder in it: so two
-    methods of this one cache, and two of what it writes with, are replaced.
+    numba has no hook for this, and its errors do not name the folder.  So two methods of this
+    cache object, and two of its (de)serialiser, are replaced.
 
     Parameters
     ----------
     name : str
-        Of its function: it is part of the hash.
+        Name of the function, part of the hash.
     say : callable
-        Takes the folder and the cause if it can be neither read nor written.
+        Called with folder and cause if the cache cannot be read or written.
     """
     types = [""]
     _seal(cached._impl, lambda content: _hash(name, types[0], content))
@@ -69,7 +69,7 @@ def guard(cached: Any, name: str, say: Callable[[str, str], None]) -> None:
             except OSError as error:
                 cached.disable()
                 say(cached.cache_path, error.strerror or str(error))
-                return None  # not cached, or not kept
+                return None  # neither loaded nor saved
 
         return or_none
 
@@ -78,7 +78,7 @@ def guard(cached: Any, name: str, say: Callable[[str, str], None]) -> None:
 
 
 def _or_flushed(cached: Any, action: Callable[..., Any], *arguments: Any) -> Any:
-    """Return what an action of a cache does; None, and the cache is empty, if it is damaged."""
+    """Return the result of an action of a cache; if its content is damaged, empty it: None."""
     try:
         return action(*arguments)
     except OSError:
@@ -89,7 +89,7 @@ def _or_flushed(cached: Any, action: Callable[..., Any], *arguments: Any) -> Any
 
 
 def _seal(impl: Any, hash_of: Callable[[bytes], str]) -> None:
-    """Let what writes and reads compiled code put a hash beside it, and look at that first."""
+    """Make a (de)serialiser of compiled code write a hash with it, and check it on reading."""
     from numba.core.serialize import dumps  # noqa: PLC0415  (numba takes 750 ms)
 
     reduce, rebuild = impl.reduce, impl.rebuild
@@ -109,4 +109,5 @@ def _seal(impl: Any, hash_of: Callable[[bytes], str]) -> None:
 
 
 def _hash(name: str, types: str, content: bytes) -> str:
+    """Return the hash of a function's name, its argument types and its compiled code."""
     return hashlib.sha256(f"{name}\0{types}\0".encode() + content).hexdigest()

@@ -24,22 +24,28 @@ FAMILY = Family(linking.phase_maps, linking.MAPS + linking.NEWTON, together.iter
 
 @dataclass(frozen=True)
 class Layout:
-    """Which unknowns a scene of one motion has in such a method, by its generic name.
+    """The unknowns of a scene of one motion in such a method.
 
-    `class_one` says that functions are of class C^1 at most, where the scene is smoother.
+    Parameters
+    ----------
+    scene : LoadedScene
+    method : str
+        Generic name.
+    class_one : bool
+        Whether functions are of class C^1 though the scene is smoother.
     """
 
     scene: LoadedScene
     method: str
     class_one: bool = False
 
-    #: What its kernels share; see `Kernel`.
+    #: As for all kernels of such methods; see `Kernel`.
     family: ClassVar[Family] = FAMILY
     condensed: ClassVar[bool] = True
 
     @property
     def name(self) -> str:
-        """What the kernel calls the method."""
+        """Name of the method in the kernel."""
         return with_class_one(self.method) if self.class_one else self.method
 
     @property
@@ -49,12 +55,12 @@ class Layout:
 
     @property
     def classes(self) -> tuple[int, ...]:
-        """The class of the functions that begin each phase."""
+        """The k of the class C^k of the functions at the begin of each phase."""
         return tuple(min(k, 1) if self.class_one else k for k in self.scene.classes)
 
     @cached_property
     def phases(self) -> tuple[tuple[str, bool, int, int], ...]:
-        """Name of each phase, whether it is free, its class, and what no test sees of it."""
+        """Name of each phase, whether it is free, its class, number of unseen polynomials."""
         unseen = about(self.method).unseen
         return tuple(
             (name, not held, k, unseen[k] if unseen and not held else 0)
@@ -63,19 +69,19 @@ class Layout:
 
     @property
     def free(self) -> int:
-        """How many phases are free: each order adds as many unknowns."""
+        """Number of free phases: of unknowns that each order adds."""
         return sum(free for _, free, _, _ in self.phases)
 
     @property
     def fixed(self) -> int:
-        """How many unknowns there are besides."""
-        own = sum(2 + (k if free else 0) + left for _, free, k, left in self.phases)
+        """Number of unknowns that does not depend on the order."""
+        of_phases = sum(2 + (k if free else 0) + left for _, free, k, left in self.phases)
         memory, forced = len(self.scene.memory), self.scene.frequency is not None
-        return own + memory + len(self.phases) + forced
+        return of_phases + memory + len(self.phases) + forced
 
     @property
     def lowest(self) -> int:
-        """The lowest order: two rows of the residual of a phase are there at any."""
+        """The lowest order, at which each free phase has two rows of its residual."""
         return max(1, *(1 + max(1, k) - k for _, free, k, _ in self.phases if free))
 
     def size(self, order: int) -> int:
@@ -99,9 +105,9 @@ class Layout:
         return found
 
     def given(self, case: Case, order: int) -> Any:
-        """Return what the functions of the kernel take for a case.
+        """Return the first argument of the kernel's functions for a case.
 
-        They are `Arrays`, and what no test sees: `combinations` for each phase.
+        It is `Arrays` with a further one: `combinations` of each phase.
         """
         sides = [left for _, _, _, left in self.phases]
         after = not case.cell.forced
@@ -112,12 +118,13 @@ class Layout:
         tables = np.zeros((len(sides), max(tests) if any(sides) else 0, max(sides)))
         for p, (_, _, k, left) in enumerate(self.phases):
             if left:
-                found = combinations(module_of(self.method).unseen, tests[p], k, left)
-                tables[p, : tests[p], :left] = found
+                Z = combinations(module_of(self.method).unseen, tests[p], k, left)
+                tables[p, : tests[p], :left] = Z
         return (*arrays, tables)
 
 
 def _rising(x: int, k: int) -> Fraction:
+    """Return the rising factorial ``x (x + 1) ... (x + k - 1)``."""
     return Fraction(prod(range(x, x + k)))
 
 
@@ -125,11 +132,12 @@ def _rising(x: int, k: int) -> Fraction:
 def combinations(
     unseen: Callable[[int, int, int], float], rows: int, k: int, count: int
 ) -> Matrix:
-    """Return Z: what coefficients from `rows` on of the residual make of those before.
+    """Return the matrix Z, shape (rows, count), of a residual orthogonal to all tests.
 
-    A residual that is orthogonal to all tests of a phase that begins C^k is a combination of as
-    many polynomials as `count`; their weights by degree, ``unseen(m, l, k)`` of a generated
-    module, are a triangle at the top.  Shape (rows, count), each to rounding.
+    Such a residual, on a phase that begins C^k, is a combination of `count` polynomials of
+    degrees from `rows` on.  Its Legendre coefficients below `rows` are Z times those from
+    `rows` on.  The coefficients of the polynomials are ``unseen(m, l, k)`` of a generated
+    module, triangular in the rows from `rows` on.  Entries are exact to rounding.
 
     Examples
     --------
@@ -139,13 +147,13 @@ def combinations(
     """
     weight = rebuilt(unseen, {"rising": _rising})
     above = range(rows, rows + count)
-    found = np.empty((rows, count))
+    Z = np.empty((rows, count))
     for l in range(rows):
         row: list[Fraction] = []
         for m in above:
             pairs = zip(row, above, strict=False)
-            taken = sum(q * Fraction(weight(m, degree, k)) for q, degree in pairs)
-            row.append((Fraction(weight(m, l, k)) - taken) / Fraction(weight(m, m, k)))
-        found[l] = [float(q) for q in row]
-    found.flags.writeable = False
-    return found
+            earlier = sum(q * Fraction(weight(m, degree, k)) for q, degree in pairs)
+            row.append((Fraction(weight(m, l, k)) - earlier) / Fraction(weight(m, m, k)))
+        Z[l] = [float(q) for q in row]
+    Z.flags.writeable = False
+    return Z

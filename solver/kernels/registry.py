@@ -1,4 +1,4 @@
-"""Find a scene's folder of generated modules, by the scene's name or by its path."""
+"""Shipped scenes by name, and kernels by scene and method."""
 
 import hashlib
 import importlib
@@ -26,7 +26,7 @@ def names() -> tuple[str, ...]:
 
 
 def load(name: str) -> LoadedScene:
-    """Return a shipped scene by its name, as `names` has it; also with underscores.
+    """Return a shipped scene by its name, with hyphens or underscores.
 
     Raises
     ------
@@ -42,14 +42,14 @@ def load(name: str) -> LoadedScene:
 
 
 def functions(scene: LoadedScene, method: str) -> tuple[int, ...]:
-    """Return how many functions beside the harmonics a method may have; empty if none."""
+    """Return the allowed numbers of functions added to harmonics; empty if not variable."""
     return about(method).functions if method in methods(scene) else ()
 
 
 def generic_method(scene: LoadedScene, method: object) -> str:
-    """Return the generic name of a method: ``ck-tau`` where the class is in it (``c0-tau``).
+    """Return the generic name of a method: ``ck-tau`` for ``c0-tau`` in a scene of class C^0.
 
-    Where the scene is smoother, ``c1-tau`` is a method of its own: see `class_one`.
+    In a scene smoother than C^1, ``c1-tau`` is a method of its own: see `class_one`.
 
     Raises
     ------
@@ -73,11 +73,11 @@ def generic_method(scene: LoadedScene, method: object) -> str:
 def class_one(scene: LoadedScene, method: str) -> str | None:
     """Return the name of a method with functions of class C^1 in place of smoother ones.
 
-    None where it has no such conditions of its own, or the scene is not smoother.
+    None if the scene is not smoother than C^1, or the method has no such variant.
     """
-    found = about(method)
-    smoother = not found.is_series and not found.unseen and scene.k > 1 and not scene.has_body
-    return with_class_one(method) if smoother else None
+    facts = about(method)
+    exists = not facts.is_series and not facts.unseen and scene.k > 1 and not scene.has_body
+    return with_class_one(method) if exists else None
 
 
 def kernel(
@@ -88,11 +88,11 @@ def kernel(
     Parameters
     ----------
     scene, method : LoadedScene, str
-        See `generic_method`.  Of a scene with several motions it is that of the first.
+        See `generic_method`.  Of several motions of a scene, the first is used.
     number : int, optional
-        Functions beside the harmonics, of a method that has them; see `functions`.
+        Number of functions added to the harmonics; one of `functions`.
     compile_it : bool
-        Whether numba is to compile it.
+        Whether numba compiles it.
 
     Raises
     ------
@@ -105,10 +105,9 @@ def kernel(
 def quicker_kernel(
     scene: LoadedScene, method: str, number: int | None = None, order: int = 0
 ) -> "Kernel":
-    """Return the kernel in the form, plain or compiled, that is the better one by now.
+    """Return the same as `kernel`, compiled if that pays by now; see `compiling`.
 
-    The same as `kernel`, which see; `order` is that for which it is wanted: for a high one it
-    is compiled from the first, if it is in numba's cache.
+    For a high `order` a kernel in numba's cache is compiled at its first use.
     """
 
     def pays(spent: Account) -> bool:
@@ -123,22 +122,22 @@ def _kernel(
     number: int | None,
     compiles: Callable[[Account], bool],
 ) -> "Kernel":
-    """Return the kernel of a method, compiled if that is to be by what it has cost."""
+    """Return the kernel of a method, compiled if ``compiles(account)``."""
     from . import polynomials, series  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
     wanted = generic_method(scene, method)
-    name, found = without_class(wanted), about(wanted)
+    name, facts = without_class(wanted), about(wanted)
     scene = scene.each_motion[0]
-    known = found.functions or (None,)
+    known = facts.functions or (None,)
     if number not in known:
-        expected = ", ".join(map(str, found.functions)) or "none"
+        expected = ", ".join(map(str, facts.functions)) or "none"
         raise UnknownScene(f"functions: got {number!r}, expected for {name}: {expected}")
     if scene.has_body:
         from . import bodies  # noqa: PLC0415  (SciPy)
 
         return bodies.kernel(scene, name, number, compiles)
     layout: polynomials.Layout | series.Layout
-    if found.is_series:
+    if facts.is_series:
         layout = series.Layout(scene, name, number or 0)
     else:
         layout = polynomials.Layout(scene, name, wanted != name)
@@ -148,7 +147,7 @@ def _kernel(
 def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:
     """Return a hash of a scene and the conditions of these methods: 16 hexadecimal digits.
 
-    The title of a scene, the defaults of its parameters and other words are not part of it.
+    It does not depend on the title of the scene, on defaults of its parameters or on words.
     """
     wanted = {without_class(generic_method(scene, method)) for method in chosen}
     texts = [scene.module.MATHEMATICS, *(q.module.MATHEMATICS for q in scene.each_motion)]

@@ -16,6 +16,7 @@ from .family import Family
 
 
 def _family(modules: tuple[ModuleType, ...]) -> Family:
+    """Return the family of methods over these modules."""
     link = partial(linking.over_the_period, modules)
     return Family(link, modules + linking.NEWTON, iteration.iterate_scene)
 
@@ -25,7 +26,7 @@ FAMILY, ONE_FUNCTION = _family(linking.SERIES), _family(linking.WITH_ONE)
 
 @dataclass(frozen=True)
 class Layout:
-    """Which unknowns a scene has in such a method, with functions beside the harmonics."""
+    """The unknowns of a scene in such a method, with `functions` added to the harmonics."""
 
     scene: LoadedScene
     method: str
@@ -38,39 +39,39 @@ class Layout:
 
     @property
     def family(self) -> Family:
-        """What its kernels share."""
+        """The family of its kernel."""
         return ONE_FUNCTION if about(self.method).alone else FAMILY
 
     @property
     def name(self) -> str:
-        """What the kernel calls the method."""
+        """Name of the method in the kernel."""
         return self.method
 
     @property
     def classes(self) -> tuple[int, ...]:
-        """The class of the motion where each phase begins."""
+        """The k of the class C^k of the motion at the begin of each phase."""
         return self.scene.classes
 
     @property
     def half(self) -> bool:
-        """Whether the cell is half a period: then only odd harmonics are there."""
+        """Whether the cell is half a period: then only odd harmonics occur."""
         return self.scene.half_period
 
     @property
     def single(self) -> list[tuple[str, int]]:
         """The unknowns between harmonics and times, with powers of 1/time in their units."""
-        found: list[tuple[str, int]] = []
+        names: list[tuple[str, int]] = []
         for (name, _), k in zip(self.scene.kinds, self.classes, strict=True):
             if k == 0 and not self.functions:
-                found.append((f"J_{name}", 1))
-            found += [(f"c{k + 2 + i}_{name}", 0) for i in range(self.functions)]
+                names.append((f"J_{name}", 1))
+            names += [(f"c{k + 2 + i}_{name}", 0) for i in range(self.functions)]
         if about(self.method).alone:
-            found = [("c1", 0)]
-        return found + [(name, power) for name, _, power, _ in self.scene.memory]
+            names = [("c1", 0)]
+        return names + [(name, power) for name, _, power, _ in self.scene.memory]
 
     @property
     def fixed(self) -> int:
-        """How many unknowns there are beside the harmonics."""
+        """Number of unknowns that does not depend on the order."""
         times = len(self.classes) + (self.scene.frequency is not None)
         return (not self.half) + len(self.single) + times
 
@@ -92,6 +93,6 @@ class Layout:
         return found
 
     def given(self, case: Case, order: int) -> Any:
-        """Return what the functions of the kernel take for a case."""
+        """Return the first argument of the kernel's functions for a case."""
         beside = [self.functions] * len(self.classes)
         return tuple(arrays_of(case.cell, self.classes, beside))

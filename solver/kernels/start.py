@@ -1,13 +1,11 @@
-"""First iterates: rough times, and the coefficients that fit them best.
+"""Starting values: rough times, and the coefficients that fit them best.
 
-All conditions are linear in the coefficients, so at frozen times they are a linear system, with
-more equations than unknowns; its rows are scaled and it is solved by least squares.  That never
-needs a flow, and the square part of it may be singular.
+All conditions are linear in the coefficients.  At given times they are a linear system with
+more equations than unknowns, solved by least squares with scaled rows.
 
-A cell of undamped phases may be run through backwards: with ``x(t)`` also ``x(-t)`` solves it.
-At an orbit that is its own reflection, the Jacobian maps even changes to even conditions and
-odd ones to odd ones.  If there are not as many of either kind, it is singular, whatever the
-order: see ``docs/digits.md``.
+A cell of undamped phases is reversible: with ``x(t)`` also ``x(-t)`` solves it.  At an orbit
+that is its own reflection, the Jacobian maps even changes to even conditions and odd ones to
+odd ones.  If their numbers differ, it is singular, whatever the order: see ``docs/digits.md``.
 """
 
 import math
@@ -24,22 +22,22 @@ from ..scenes.case import Case
 from ..scenes.cell import Cell
 from .kernel import Kernel
 
-#: Phases of the forcing from which a blind search starts.
+#: Number of phases of the forcing among the rough times.
 ANGLES = 12
 
-#: Starts that are tried where exact orbits can be listed, and their times have led nowhere.
+#: Number of starts tried if exact orbits can be listed, but their times have led nowhere.
 PATIENCE = 6
 
-#: The least singular value that is rounding, as a part of the largest.
+#: Singular values below this, relative to the largest, are rounding.
 ROUNDING = 1e-12
 
-#: Duration of one phase, as a part of the others', where equal ones have led nowhere.
+#: Duration of one phase, relative to the others, if equal ones have led nowhere.
 UNEQUAL = ((1.5, "long"), (0.2, "short"))
 
 
 @dataclass(frozen=True)
 class RoughTimes:
-    """Times of a cell from which an iteration may start, and where they come from."""
+    """Starting values of the times of a cell, without units, and their origin in words."""
 
     durations: tuple[float, ...]
     angle: float
@@ -49,9 +47,9 @@ class RoughTimes:
 def rough_times(cell: Cell) -> Iterator[RoughTimes]:
     """Yield rough times: the scene's own guess, equal durations, then one long or short.
 
-    Where nothing forces, an equal duration is ``pi``, half a period of the oscillator in its
-    unit of time; where something does, the cell's is known, and the phase of the forcing is
-    tried all around.
+    Without forcing, an equal duration is ``pi``, half a period of the oscillator in its unit of
+    time.  With forcing, durations add up to that of the cell, and `ANGLES` phases of the
+    forcing are tried for each.
     """
     for durations, words in _splits(cell):
         if cell.forced:
@@ -65,6 +63,7 @@ def rough_times(cell: Cell) -> Iterator[RoughTimes]:
 
 
 def _splits(cell: Cell) -> Iterator[tuple[tuple[float, ...], str]]:
+    """Yield rough durations, and their origin in words."""
     if cell.guess:
         yield cell.guess, "the scene's guess of the durations"
     count = len(cell.phases)
@@ -77,9 +76,9 @@ def _splits(cell: Cell) -> Iterator[tuple[tuple[float, ...], str]]:
 
 
 def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Vector:
-    """Return the unknowns of a kernel: the coefficients of best fit, and the given times.
+    """Return the unknowns of a kernel: the coefficients of best fit, then the given times.
 
-    Its conditions are linear in the coefficients; `case` is what its residual takes.
+    `case` is the first argument of the kernel's functions.
     """
     count = size - len(times)
     z = np.concatenate([np.zeros(count), times])
@@ -97,22 +96,22 @@ def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Ve
 def solved(
     kernel: Kernel, given: Any, size: int, times: Vector, limit: int = ITERATION_LIMIT
 ) -> Outcome:
-    """Return where Newton's method leads from rough times: see `with_coefficients`."""
+    """Return the outcome of Newton's method from rough times; see `with_coefficients`."""
     if kernel.condensed:
         z = np.concatenate([np.zeros(size - len(times)), times])
     else:
         z = with_coefficients(kernel, given, size, times)
-    found = newton(kernel.iterate, given, z, limit)
-    if not kernel.condensed or kernel.signals:  # of a body, times are all it solves for
-        return found
+    outcome = newton(kernel.iterate, given, z, limit)
+    if not kernel.condensed or kernel.signals:  # of a body, times are the only unknowns
+        return outcome
     R = np.empty(size)
     with np.errstate(all="ignore"):
-        kernel.residual(given, found.unknowns, R)
-    return replace(found, residual_norm=float(np.abs(R).max()))
+        kernel.residual(given, outcome.unknowns, R)
+    return replace(outcome, residual_norm=float(np.abs(R).max()))
 
 
 def is_reversible(cell: Cell) -> bool:
-    """Return whether a motion of a cell, run through backwards, is another one or itself."""
+    """Return whether each motion of a cell, reversed in time, is a motion as well."""
     return not cell.memory and all(
         phase.c == 0 and not phase.held and (phase.rho, phase.d) == (1, 0)
         for phase in cell.phases
@@ -120,7 +119,7 @@ def is_reversible(cell: Cell) -> bool:
 
 
 def is_singular(kernel: Kernel, case: Case, order: int, times: Vector) -> bool:
-    """Return whether the Jacobian of a kernel is singular at given times; see `attempt`."""
+    """Return whether the Jacobian of a kernel is singular at times and best coefficients."""
     given = kernel.given(case, order)
     z = with_coefficients(kernel, given, kernel.size(order), times)
     J = np.empty((len(z), len(z)))
