@@ -1,1 +1,1 @@
-"""The same equations in ball arithmetic: how many digits float64 keeps of their solution."""
+"""The same equations in ball arithmetic: how many digits of their solution float64 gives."""

@@ -1,8 +1,8 @@
-"""A kernel in ball arithmetic: its own text, evaluated over other numbers.
+"""A kernel in ball arithmetic: its own source, evaluated over other numbers.
 
-Each operation of the text is one on balls (Arb, through python-flint), with every fraction of
-whole numbers exact; a result says how far rounding may have moved it.  Only the spherical
-Bessel functions are replaced: their recurrences end where float64 does.
+Each operation of the source becomes one on balls (Arb, by python-flint); quotients of integers
+are exact.  The radius of a result bounds its rounding error.  Only the spherical Bessel
+functions are replaced: their recurrences are made for the precision of float64.
 """
 
 import ast
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from flint import arb, ctx, fmpq
 
-#: Whole numbers of a kernel: of loops, and of arrays.
+#: Types of integers in a kernel, from loops and from arrays.
 WHOLE = (int, np.integer)
 
 #: Fills R with the residual at z: ``residual(case, z, R)``, over balls.
@@ -31,13 +31,13 @@ def residual_in_balls(residual: Callable[..., None]) -> Residual:
 
 
 def _plain(value: Any) -> Any:
-    """Return the function of Python that a compiled one is made of."""
+    """Return the Python function of a compiled one; anything else unchanged."""
     return getattr(value, "py_func", value)
 
 
 @cache
 def _functions(first: FunctionType, digits: int) -> dict[str, Any]:
-    """Return a function and all that it calls over balls of so many digits, those in force."""
+    """Return a function and all that it calls, over balls; `digits` are those in force."""
     namespace: dict[str, Any] = {
         "cos": lambda x: arb(x).cos(),
         "sin": lambda x: arb(x).sin(),
@@ -64,7 +64,7 @@ def _functions(first: FunctionType, digits: int) -> dict[str, Any]:
 
 
 class _Exact(ast.NodeTransformer):
-    """Replace divisions by those of exact numbers."""
+    """Replace divisions by calls of `quotient`."""
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)
@@ -74,7 +74,7 @@ class _Exact(ast.NodeTransformer):
 
 
 def quotient(above: Any, below: Any) -> Any:
-    """Return a quotient; of whole numbers, with no rounding but that of a ball."""
+    """Return a quotient as a ball; that of integers is rounded only once."""
     if isinstance(above, WHOLE) and isinstance(below, WHOLE):
         return arb(fmpq(int(above), int(below)))
     return above / (arb(below) if isinstance(below, int | float) else below)
@@ -86,7 +86,7 @@ def rising(x: int, k: int) -> int:
 
 
 def as_balls(given: Any) -> Any:
-    """Return what the functions of a kernel take for a case, with balls for its floats."""
+    """Return the first argument of a kernel's functions with balls in place of floats."""
     if isinstance(given, tuple):
         return tuple(map(as_balls, given))
     if isinstance(given, np.ndarray) and given.dtype == float:
@@ -97,7 +97,7 @@ def as_balls(given: Any) -> Any:
 
 
 class _Arrays:
-    """What kernels use of NumPy, with room for any number."""
+    """The functions of NumPy that kernels use, with arrays of objects."""
 
     int64 = np.int64
 
@@ -118,7 +118,7 @@ class _Arrays:
 
 
 def spherical_bessel(x: Any, j: Any) -> None:
-    """Fill j with ``j_0(x), j_1(x), ...`` of a ball: the last two, then downwards.
+    """Fill j with ``j_0(x), j_1(x), ...`` of a ball: the last two, then by downward recurrence.
 
     ``j_n(x) = x^n/(2 n + 1)!! 0F1(n + 3/2; -x^2/4)`` (DLMF 10.16.9, 10.47.3).
     """

@@ -1,4 +1,4 @@
-"""Digits that float64 keeps of the times of an orbit, at the extremes of a scene."""
+"""Correct digits of the times of an orbit in float64, at the extremes of a scene."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -29,45 +29,45 @@ from .refine import PrecisionError, refine
 #: Digits of the solution in balls: enough to judge float64.
 DIGITS = 22
 
-#: Largest error of the times that float64 may make, as a part of the period, where the orbit
-#: answers to its parameters no more than they change; elsewhere, times its condition number.
+#: Largest error of the times allowed in float64, relative to the period; it is multiplied by
+#: the condition number of the orbit, if that is above 1.
 TARGET = 1e-13
 
-#: Relative change of a parameter: the error of the central difference is its square.
+#: Relative change of a parameter in central differences, whose error is its square.
 STEP = 2.0**-17
 
-#: What one rounding is, as a part of a number.
+#: Machine epsilon of float64.
 EPSILON = float(np.finfo(float).eps)
 
-#: Orders that are measured without others.
+#: Orders that are measured by default.
 ORDERS: tuple[int, ...] = (5, 10, 20, 40)
 QUICK_ORDERS: tuple[int, ...] = (10,)
 
-#: Marks behind digits, and in their place.
+#: Marks after digits: few by conditioning, lost, no orbit.
 CONDITIONED, LOST, ABSENT = "c", "!", "-"
 
 
 @dataclass(frozen=True)
 class Kept:
-    """How one method did at one extreme and order.
+    """The accuracy of one method at one extreme and order.
 
     Parameters
     ----------
     extreme : str
-        In words; empty for the parameters as they are given.
+        The extreme in words; empty for the parameters as given.
     method : str
         Generic name; ``"exact"`` for the exact equations.
     order : int or None
-        ``N``; None of the exact equations.
+        ``N``; None for the exact equations.
     status : str
         ``"ok"``, ``"no-orbit"``, ``"not-converged"``.
     error : float or None
         Largest error of a duration, and of the phase of the forcing over its angular
-        frequency, against the same equations in balls; as a part of the period.
+        frequency, against the same equations in balls; relative to the period.
     condition : float or None
-        Condition number of the Jacobian, its rows and columns scaled.
+        Condition number of the Jacobian with scaled rows and columns.
     orbit_condition : float or None
-        That of the orbit itself: `condition`.
+        Condition number of the orbit; see the function `condition`.
     iterations : int
         Jacobians formed.
     """
@@ -83,12 +83,12 @@ class Kept:
 
     @property
     def digits(self) -> float | None:
-        """Decimal digits of the times that are right; 16 is all that float64 has."""
+        """Correct decimal digits of the times, at most 16."""
         return None if self.error is None else -math.log10(max(self.error, 1e-16))
 
     @property
     def target(self) -> float:
-        """Largest error allowed, as a part of the period."""
+        """Largest error allowed, relative to the period."""
         return TARGET * max(1.0, self.orbit_condition or 1.0)
 
     @property
@@ -98,19 +98,19 @@ class Kept:
 
     @property
     def conditioned(self) -> bool | None:
-        """Whether the error is what the condition of the method's own equations explains."""
+        """Whether the condition number of the method's own equations explains the error."""
         if self.error is None or self.condition is None:
             return None
         return bool(self.error <= EPSILON * self.condition)
 
     @property
     def lost(self) -> bool:
-        """Whether digits are lost that neither the orbit nor the method's equations lose."""
+        """Whether more digits are lost than both condition numbers explain."""
         return self.met is False and not self.conditioned
 
     @property
     def words(self) -> str:
-        """The digits as they are shown, with a mark where they are fewer than intended."""
+        """The digits as text, with a mark if the target is missed."""
         if self.digits is None:
             return ABSENT
         mark = LOST if self.lost else "" if self.met else CONDITIONED
@@ -118,7 +118,7 @@ class Kept:
 
 
 def extremes(case: Case) -> tuple[tuple[str, Case], ...]:
-    """Return a case and its extremes, in place of its parameters, each with its words.
+    """Return a case and its extremes (other values of its parameters), each with its words.
 
     Raises
     ------
@@ -146,18 +146,17 @@ def measure(
     methods: Sequence[str] | None = None,
     progress: Callable[[Kept], None] = lambda kept: None,
 ) -> list[Kept]:
-    """Return the digits that each method keeps at each extreme of a case.
+    """Return the accuracy of each method at each extreme of a case.
 
     Parameters
     ----------
     case : Case
-        See `extremes`.
     orders : sequence of int
-        ``N``; those below the lowest of a method are left out.
+        ``N``; those below the lowest of a method count as not converged.
     methods : sequence of str, optional
-        Generic names; all without them.
+        Generic names; all by default.
     progress : callable
-        Told each measurement.
+        Called with each measurement.
 
     Raises
     ------
@@ -175,7 +174,7 @@ def measure(
 def at(
     words: str, case: Case, orders: Sequence[int], methods: Sequence[str] | None = None
 ) -> Iterator[Kept]:
-    """Yield the digits that each method keeps of the orbit of a case: first the exact ones."""
+    """Yield the accuracy of the exact equations, then of each method, for one case."""
     names = in_order(registry.methods(case.scene) if methods is None else methods)
     try:
         exact = exact_orbit(case)
@@ -195,7 +194,7 @@ def at(
 
 
 def _of_method(kept: Kept, exact: ExactOrbit, method: str, order: int) -> Kept:
-    """Return what is kept by a method, from the times of the exact orbit."""
+    """Return the accuracy of a method, started from the times of the exact orbit."""
     case = exact.case
     functions = number_of_functions(case, method, None)
     kernel = registry.kernel(case.scene, method, functions)
@@ -209,7 +208,7 @@ def _of_method(kept: Kept, exact: ExactOrbit, method: str, order: int) -> Kept:
 
 
 def _against_balls(kept: Kept, case: Case, kernel: Kernel, arguments: Any, z: Vector) -> Kept:
-    """Return what is kept of a solution of a kernel's equations, by that in balls."""
+    """Return a measurement with the error of a solution of a kernel's equations, by balls."""
     z = _unknowns(case, kernel, z)
     J = np.empty((len(z), len(z)))
     kernel.jacobian(arguments, z, J)
@@ -226,15 +225,12 @@ def _against_balls(kept: Kept, case: Case, kernel: Kernel, arguments: Any, z: Ve
 
 
 def _unknowns(case: Case, kernel: Kernel, z: Vector) -> Vector:
-    """Return what the residual of a kernel is of: of a body the times alone."""
+    """Return the unknowns of a kernel's residual: those of a body are the times alone."""
     return kernel.times(z) if case.scene.has_body else z
 
 
 def in_balls(case: Case, method: str) -> Residual | None:
-    """Return the equations of a method in balls; None for its own text in them.
-
-    Those of a body are of the times alone.
-    """
+    """Return the residual of a method in balls; None if it is made from the kernel's source."""
     if not case.scene.has_body:
         return exact_balls.residual if method == EXACT else None
     if method == EXACT:
@@ -245,11 +241,10 @@ def in_balls(case: Case, method: str) -> Residual | None:
 def condition(orbit: ExactOrbit) -> float:
     """Return the condition number of the times of an orbit as functions of its parameters.
 
-    The sum over the parameters of ``|p dt/dp|``, for the time t that answers most, as a part
-    of the period: a parameter rounded by a part e moves some time by up to that times e, in
-    exact arithmetic too.  Times are durations, and the phase of the forcing over its angular
-    frequency.  By the implicit function theorem on the exact equations, with differences for
-    the derivatives by the parameters.
+    The largest over times t of ``sum_p |p dt/dp| / T``: relative changes e of the parameters
+    move a time by up to e times this, relative to the period T, in exact arithmetic too.  Times
+    are durations, and the phase of the forcing over its angular frequency.  By the implicit
+    function theorem on the exact equations, with central differences by the parameters.
     """
     case, kernel = orbit.case, exact_kernel(orbit.case.cell)
     z, numbers = _unknowns(case, kernel, orbit.outcome.unknowns), case.numbers
@@ -262,10 +257,10 @@ def condition(orbit: ExactOrbit) -> float:
             cells = [_with(case, i, each) for each in near]
         except ParameterError:  # a whole number, which is not rounded
             continue
-        ends = np.empty((2, len(z)))
-        for cell, R in zip(cells, ends, strict=True):
+        residuals = np.empty((2, len(z)))
+        for cell, R in zip(cells, residuals, strict=True):
             kernel.residual(cell, z, R)
-        changes.append((ends[0] - ends[1]) / (2 * STEP))
+        changes.append((residuals[0] - residuals[1]) / (2 * STEP))
     rows = np.abs(J).max(axis=1)
     by_parameters = np.linalg.solve(J / rows[:, None], np.array(changes).T / rows[:, None])
     moved_by = np.abs(kernel.times(by_parameters)).sum(axis=1)
@@ -276,6 +271,6 @@ def condition(orbit: ExactOrbit) -> float:
 
 
 def _with(case: Case, i: int, value: float) -> Cell:
-    """Return the cell of a case with another number for one parameter, in the same units."""
+    """Return the cell of a case with another value of parameter i, in the same units."""
     numbers = (*case.numbers[:i], value, *case.numbers[i + 1 :])
     return case.scene.cell(numbers, case.cycles, case.units)

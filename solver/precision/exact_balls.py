@@ -1,6 +1,6 @@
-"""The exact equations of a cell in ball arithmetic, by the exponential of each phase.
+"""The exact equations of a cell in ball arithmetic, by the matrix exponential of each phase.
 
-Written apart from ``solver/flow``, whose closed forms for float64 they judge: the state is
+They are independent of ``solver/flow``, whose closed forms in float64 they judge.  The state is
 ``y = (x, x', 1, cos, sin)``, with cosine and sine of the forcing, and a phase is ``y' = A y``.
 """
 
@@ -13,7 +13,7 @@ from ..scenes.cell import Cell, Form, Phase
 
 
 def residual(cell: Cell, z: Sequence[Any], R: Any) -> None:
-    """Fill R with the left sides of the conditions, as ``exact_system.residual`` has them."""
+    """Fill R with the residuals of all conditions, in the order of ``flow.exact_system``."""
     count, more = len(cell.phases), len(cell.memory)
     memory, durations = z[2 * count : 2 * count + more], z[2 * count + more :][:count]
     omega = arb(cell.omega)
@@ -39,13 +39,13 @@ def residual(cell: Cell, z: Sequence[Any], R: Any) -> None:
 
 
 def _value(form: Form, state: Sequence[Any]) -> Any:
-    """Return a linear form of a state."""
+    """Return the value of a linear form in a state."""
     x, v, cos, constant = form
     return x * state[0] + v * state[1] + cos * state[3] + constant
 
 
 def _generator(phase: Phase, omega: Any) -> Any:
-    """Return ``A`` of ``y' = A y``."""
+    """Return the matrix A of ``y' = A y`` in a phase."""
     zero, m = arb(0), arb(phase.m)
     held = [zero] * 5
     free = [-arb(phase.k) / m, -arb(phase.c) / m, arb(phase.f) / m, arb(phase.g) / m, zero]

@@ -1,7 +1,7 @@
-"""Refine a solution that float64 found: the residual in balls, the step in float64.
+"""Iterative refinement of a float64 solution: residual in balls, correction in float64.
 
-Each step gains about as many digits as float64 has beyond the condition of the Jacobian.  What
-is left is the radius of a ball about each time.
+Each step gains about 16 digits less those that the condition of the Jacobian costs.  The last
+correction, and the rounding of the residual, give the radius of a ball about each time.
 """
 
 from typing import Any
@@ -13,12 +13,12 @@ from ..arrays import Matrix, Vector
 from ..kernels.kernel import Kernel
 from .balls import Residual, as_balls, residual_in_balls
 
-#: Digits carried at first beyond those asked for; most that are tried; most steps.
+#: Guard digits at first; largest working precision in digits; most steps.
 GUARD, MOST_DIGITS, STEPS = 25, 2000, 60
 
 
 class PrecisionError(ArithmeticError):
-    """The refinement did not converge: no solution of the equations is near the float64 one."""
+    """The refinement did not converge: the equations may have no solution near the start."""
 
 
 def refine(
@@ -28,24 +28,26 @@ def refine(
     digits: int,
     residual: Residual | None = None,
 ) -> tuple[Any, ...]:
-    """Return the times of a solution of a kernel's equations to so many digits, as balls.
+    """Return the times of a solution of a kernel's equations to `digits` digits, as balls.
 
     Parameters
     ----------
     kernel : Kernel
-        In plain Python: a generated one, or with `residual` any.
+        In plain Python; without `residual`, a generated one.
     arguments : object
-        What its functions call the case; floats stand for their exact binary values.
+        First argument of its functions; floats stand for their exact binary values.
+    start : ndarray
+        The solution in float64.
     digits : int
         Decimal digits of the times, relative to their sum.
     residual : callable, optional
-        The same equations over balls, of the arguments as they are, at the precision in force;
-        without it the text of the kernel.
+        The same equations over balls, for `arguments`, at the precision in force; by default
+        it is made from the source of the kernel.
 
     Raises
     ------
     PrecisionError
-        If the steps do not get shorter.
+        If the corrections do not decrease.
     """
     J = np.empty((len(start), len(start)))
     kernel.jacobian(arguments, start, J)
@@ -53,18 +55,18 @@ def refine(
     working = digits + GUARD
     while working <= MOST_DIGITS:
         with ctx.workdps(working):
-            own, given = residual, arguments
-            if own is None:
-                own, given = residual_in_balls(kernel.residual), as_balls(arguments)
-            found = _refined(kernel, own, given, start, inverse, digits)
-        if found is not None:
-            return found
+            in_balls, given = residual, arguments
+            if in_balls is None:
+                in_balls, given = residual_in_balls(kernel.residual), as_balls(arguments)
+            times = _refined(kernel, in_balls, given, start, inverse, digits)
+        if times is not None:
+            return times
         working *= 2
     raise PrecisionError(f"{kernel.method}: {digits} digits are not had with {MOST_DIGITS}")
 
 
 def _inverse(J: Matrix) -> Matrix:
-    """Return the inverse of a Jacobian, whose rows are scaled before."""
+    """Return the inverse of a Jacobian, computed with scaled rows."""
     rows = np.abs(J).max(axis=1)
     try:
         return np.asarray(np.linalg.inv(J / rows[:, None]) / rows)
@@ -76,7 +78,7 @@ def _refined(
     kernel: Kernel, residual: Residual, arguments: Any, start: Vector, inverse: Matrix,
     digits: int,
 ) -> tuple[Any, ...] | None:  # fmt: skip
-    """Refine at the precision in force; None if its balls are too wide for `digits`."""
+    """Return the times refined at the precision in force; None if the balls are too wide."""
     first = len(start) - kernel.durations - kernel.forced
     z = np.array([arb(float(value)) for value in start], dtype=object)
     R = np.full(len(z), arb(0), dtype=object)

@@ -1,4 +1,4 @@
-"""The equations of a body in ball arithmetic, written apart from ``solver/bodies``.
+"""The equations of a body in ball arithmetic, independent of ``solver/bodies``.
 
-The numbers of its modes and of the laws of its contacts stand for their exact binary values.
+Numbers of modes and of contact laws stand for their exact binary values.
 """

@@ -1,4 +1,4 @@
-"""A body in balls: its poles, what its contacts see of them, and the laws as forms of these."""
+"""A body in balls: its poles, and contact quantities and laws as linear forms of them."""
 
 from collections.abc import Callable, Iterator
 from functools import cached_property
@@ -19,16 +19,19 @@ Balls = Any
 
 
 class Forms(NamedTuple):
-    """Forms as ``Re sum poles z + Re(turn e^(i theta)) + constant + memory + direct force``.
+    """Forms ``Re sum poles z + Re(turn e^(i theta)) + constant + memory h + direct force``.
 
     Parameters
     ----------
     poles : ndarray of acb, shape (k, m)
+        Factors of the states z of the poles.
     turn : ndarray of acb, shape (k,)
+        Factor of the forcing; theta is its phase.
     constant : ndarray of arb, shape (k,)
     memory : ndarray of arb, shape (k, M)
+        Factors of the memories h.
     direct : ndarray of arb, shape (k, c)
-        By the contact forces.
+        Factors of the contact forces.
     """
 
     poles: Balls
@@ -38,7 +41,7 @@ class Forms(NamedTuple):
     direct: Balls
 
     def less(self, weights: Balls, others: "Forms") -> "Forms":
-        """Return these forms less combinations of others."""
+        """Return these forms less ``weights @ others``."""
         return Forms(*(a - weights @ b for a, b in zip(self, others, strict=True)))
 
 
@@ -60,7 +63,7 @@ def real(values: Balls) -> Balls:
 def solved(A: Balls, right: Balls) -> Balls:
     """Return the solution of a linear system, real or complex.
 
-    Not numbers if the matrix may be singular: in more digits it may not.
+    It is NaN if the matrix may be singular at the precision in force.
     """
     real = all(isinstance(q, arb) for q in (*A.flat, *right.flat))
     matrix: Any = arb_mat if real else acb_mat
@@ -72,14 +75,14 @@ def solved(A: Balls, right: Balls) -> Balls:
 
 
 class Body:
-    """The poles of the body of a cell, of each pair the one above the real axis.
+    """The body of a cell by its poles, one of each complex pair.
 
     Parameters
     ----------
     cell : BodyCell
     held : Held, optional
-        Springs and dampers that hold it at its contacts: then its poles are of both, and a
-        contact force has what they take from it added.
+        Springs and dampers at the contacts that are added to the body: the poles are those of
+        both, and contact forces are corrected for them.
     """
 
     def __init__(self, cell: "BodyCell", held: "Held | None" = None) -> None:
@@ -89,19 +92,20 @@ class Body:
 
     @property
     def duration(self) -> Any:
-        """That of the cell, by its forcing."""
+        """Duration of a forced cell."""
         return self.turns / self.omega
 
     @cached_property
     def poles(self) -> tuple[Balls, Balls, Balls]:
-        """The poles, shape (m,); by the forces, (m, c); displacements by them, (m, c).
+        """Poles, shape (m,), their forces, (m, c), and displacements by them, (m, c).
 
-        ``z' = s z + b force``, and ``x = Re sum c z``.
+        These are s, b and c of ``z' = s z + b force``, ``x = Re sum c z``.
         """
         proportional = self.modal.is_proportional and self.held is None
         return self._of_modes() if proportional else self._of_states()
 
     def _of_modes(self) -> tuple[Balls, Balls, Balls]:
+        """Return the poles of a body with modal damping, mode by mode."""
         rows: list[tuple[Any, Any, Any]] = []
         at = balls(self.modal.at)
         for i, square in enumerate(balls(self.modal.squares)):
@@ -117,6 +121,7 @@ class Body:
         return s, b, c
 
     def _of_states(self) -> tuple[Balls, Balls, Balls]:
+        """Return the poles as eigenvalues of the state matrix."""
         count, at = len(self.modal.squares), balls(self.modal.at)
         A = balls(np.zeros((2 * count, 2 * count)))
         A[:count, count:] = balls(np.eye(count))
@@ -133,14 +138,14 @@ class Body:
         b, c = solved(basis, forced), basis[:count].T @ at
         real = np.array([q.imag.contains(0) for q in s])
         kept = real | np.array([bool(q.imag > 0) for q in s])
-        for i, row in enumerate(c):  # a place that nothing holds or sees has a pole at 0
+        for i, row in enumerate(c):  # drop poles at 0 that no contact sees
             kept[i] &= not all(q.contains(0) for q in (s[i], *row))
         double = np.where(real, 1, 2)[kept, None]
         return np.array(s, dtype=object)[kept], b[kept], c[kept] * double
 
     @cached_property
     def response(self) -> Balls:
-        """The complex amplitudes of the contacts in the answer to the forcing."""
+        """Complex amplitudes of the contacts in the steady response to the forcing."""
         body, turn = self.modal, acb(0, 1) * self.omega
         squares, damping = balls(np.diag(body.squares)), balls(body.damping)
         springs, dampers = self._holding
@@ -151,14 +156,14 @@ class Body:
 
     @property
     def _holding(self) -> tuple[Balls, Balls]:
-        """The stiffness and the damping that hold it, by its modes."""
+        """Matrices of the added springs and dampers, in modal coordinates."""
         at, zero = balls(self.modal.at), np.zeros(self.modal.at.shape[1])
         held = (zero, zero) if self.held is None else (self.held.springs, self.held.dampers)
         springs, dampers = (at * balls(q) @ at.T for q in held)
         return springs, dampers
 
     def forms(self, rows: Balls) -> Forms:
-        """Return linear forms of what is seen, given as a cell has them."""
+        """Return the forms of a cell, given as rows of factors, as forms of the poles."""
         s, _, c = self.poles
         contacts = c.shape[1]
         width, rates = 2 + 4 * contacts, np.append(s, acb(0, 1) * self.omega)
@@ -178,17 +183,17 @@ class Body:
             place[:, -1] = place[:, -1] - balls(self.modal.beyond)
             taken = place * (springs + dampers * rates)
             seen[force], seen[x] = -taken, seen[x] - residual @ taken
-        own, memory = rows[:, :width], rows[:, width:]
-        found = own @ seen
-        return Forms(found[:, :-1], found[:, -1], rows[:, 3], memory, own @ direct)
+        factors, memory = rows[:, :width], rows[:, width:]
+        of_rates = factors @ seen
+        return Forms(of_rates[:, :-1], of_rates[:, -1], rows[:, 3], memory, factors @ direct)
 
     def event(self, phase: "BodyPhase") -> Forms:
-        """Return the event at the end of a phase, with the contact forces by their laws."""
+        """Return the event at the end of a phase, contact forces eliminated by the laws."""
         return closed(self.forms(balls([phase.event])), self.forms(laws(phase)))
 
 
 def laws(phase: "BodyPhase") -> Balls:
-    """Return the laws of a phase by row; of a held contact, that it has its speed as well."""
+    """Return the laws of a phase as rows; that of a held contact with its velocity added."""
     found = balls(np.array(phase.laws, dtype=float))
     if phase.held:
         found[0, 1] += found[0, 5]
@@ -197,7 +202,7 @@ def laws(phase: "BodyPhase") -> Balls:
 
 
 def closed(own: Forms, law: Forms) -> Forms:
-    """Return forms with the contact forces by their laws."""
+    """Return forms with the contact forces eliminated by their laws."""
     return own.less(solved(law.direct.T, own.direct.T).T, law)
 
 
@@ -207,9 +212,9 @@ def impulses(cell: "BodyCell", p: int) -> tuple[list[int], Balls, Balls, Balls]:
     Returns
     -------
     hit : list of int
-        The contacts that an impulse meets.
+        The contacts with an impulse J.
     mobility, factors, constants : ndarray of arb
-        Of these contacts.
+        For these contacts; v are their velocities before.
     """
     jumps, last = list(cell.phases[p].jumps), p == len(cell.phases) - 1
     after = cell.phases[0 if last else p + 1]
@@ -225,9 +230,10 @@ def impulses(cell: "BodyCell", p: int) -> tuple[list[int], Balls, Balls, Balls]:
 
 
 def at_end(forms: Forms, states: Balls, angle: Any) -> tuple[Balls, Balls]:
-    """Return forms, without forces and memory, of states: rows over unknowns, what is known.
+    """Return the rows over unknowns, and the known part, of forms without forces and memories.
 
-    `states`, of shape (m, U), are the poles by each unknown; `angle` is that of the forcing.
+    `states`, of shape (m, U), are the derivatives of z by each unknown; `angle` is the phase of
+    the forcing.
     """
     turned = (acb(0, 1) * angle).exp()
     return real(forms.poles @ states), real(forms.turn * turned) + forms.constant
@@ -236,14 +242,15 @@ def at_end(forms: Forms, states: Balls, angle: Any) -> tuple[Balls, Balls]:
 def statements(
     cell: "BodyCell", body: Body, values: Callable[[Forms, int, int], tuple[Balls, Balls]]
 ) -> Iterator[tuple[Balls, Any]]:
-    """Yield what each impulse is, then each memory: a row over the unknowns, what is known.
+    """Yield each impulse, then each memory, as a row over the unknowns and a known part.
 
     Parameters
     ----------
     cell : BodyCell
     body : Body
     values : callable
-        Returns rows of forms and what is known of them at an end, 0 or 1, of a phase.
+        ``values(forms, p, end)``: rows and known parts of forms at begin (0) or end (1) of a
+        phase.
     """
     contacts, memory = cell.body.at.shape[1], len(cell.memory)
     velocity = body.forms(balls(np.eye(2 + 4 * contacts + memory)[places(contacts)[1]]))

@@ -1,4 +1,4 @@
-"""The exact equations of a body in balls, by the exponential of each phase.
+"""The exact equations of a body in balls, by the matrix exponential of each phase.
 
 The state is ``Y = (eta, eta', cos, sin, 1, memory)`` of its modes, and a phase is ``Y' = A Y``.
 """
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Free(NamedTuple):
-    """A body without its contact forces, and what these add: see `solver.bodies.laws.Free`."""
+    """A body without its contact forces, and their effect: see `solver.bodies.laws.Free`."""
 
     A: Balls
     B: Balls
@@ -28,7 +28,7 @@ class Free(NamedTuple):
 
 
 def residual(cell: "BodyCell", times: Any, R: Any) -> None:
-    """Fill R with the events and the length of the cell; see ``solver.bodies.exact``."""
+    """Fill R with residuals of events and of the cell's duration; see ``bodies.exact``."""
     count, body = len(cell.phases), Body(cell)
     free, clock = _free(cell, body), 2 * len(cell.body.squares)
     angle = times[count] if cell.forced else arb(0)
@@ -59,6 +59,7 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
 
 
 def _free(cell: "BodyCell", body: Body) -> Free:
+    """Return the matrices of a body with free contacts, over the state Y."""
     own, memory, contacts = body.modal, len(cell.memory), body.modal.at.shape[1]
     count, at = len(own.squares), balls(own.at)
     place, velocity, clock = slice(count), slice(count, 2 * count), 2 * count
@@ -90,10 +91,10 @@ def _free(cell: "BodyCell", body: Body) -> Free:
 
 
 def _fix(switches: list[Balls], events: list[Balls], before: Matrix, after: Matrix) -> None:
-    """Let each switch shift the state to where its event happens: on an orbit not at all.
+    """Add to each switch a shift of the state onto its event, which is 0 on an orbit.
 
-    No phase sees these ways to shift it, so that closing alone says nothing of them; those that
-    no event sees either it leaves out.
+    Phases do not depend on these shifts, so periodicity alone leaves them undetermined.  Those
+    that no event depends on either are projected out.
     """
     if not before.size:
         return
@@ -112,7 +113,7 @@ def _fix(switches: list[Balls], events: list[Balls], before: Matrix, after: Matr
 
 
 def _switch(cell: "BodyCell", p: int, free: Free, velocities: Balls) -> Balls:
-    """Return what the switch at the end of a phase makes of its state."""
+    """Return the matrix of the switch at the end of a phase."""
     count, after = len(cell.body.squares), (p + 1) % len(cell.phases)
     size, clock, found = 2 + 4 * cell.body.at.shape[1], 2 * count, balls(np.eye(len(free.A)))
     hit, mobility, factors, constants = impulses(cell, p)

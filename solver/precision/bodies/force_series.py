@@ -1,4 +1,4 @@
-"""The force series of a body in balls: the laws tested with Legendre polynomials."""
+"""The force series of a body in balls: Galerkin projection of the laws onto polynomials."""
 
 from typing import Any
 
@@ -12,12 +12,12 @@ from .pieces import Piece, around, moments
 
 
 def residual(given: Given, times: Any, R: Any) -> None:
-    """Fill R with the events and the length of the cell, as the kernel has them.
+    """Fill R with the residuals of events and of the cell's duration, as the kernel has them.
 
     Raises
     ------
     PrecisionError
-        If poles are not told apart.
+        If poles cannot be distinguished.
     """
     cell, own = given.cell, layout(given.cell, given.order)
     count, contacts = len(cell.phases), cell.body.at.shape[1]
@@ -35,7 +35,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
         angles.append(angles[-1] + body.omega * t)
 
     def values(forms: Forms, p: int, side: int) -> tuple[Balls, Balls]:
-        """Return forms at an end of a phase: rows over the unknowns, and what is known."""
+        """Return rows over the unknowns, and known parts, of forms at an end of a phase."""
         e = own.first_of(p) + (own.phases[p].pieces - 1 if side else 0)
         states = pieces[e].end if side else pieces[e].start
         rows, known = at_end(forms, states, angles[e + side])
@@ -51,7 +51,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
             acb(0, 1) * body.omega * lengths[e], own.phases[p].degree + 1
         )
         A[rows], right[rows] = _tested(forms[p], pieces[e], drive, own, at)
-        # what is 0 on an orbit, and says where it is
+        # a multiple of the event, 0 on an orbit, makes the system regular
         (event,), (at_event,) = ends[p]
         fixing = balls(own.phases[p].fixing / np.diag(own.phases[p].direct))
         factors = [*(fixing * np.diag(forms[p].direct))] * min(own.phases[p].degree + 1, 2)
@@ -68,7 +68,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
 
 
 def _tested(law: Forms, piece: Piece, drive: Balls, own: Any, at: int) -> tuple[Balls, Balls]:
-    """Return the rows of the laws on a piece, tested, and what they are equal to."""
+    """Return rows and right sides of the laws on a piece, tested with polynomials."""
     contacts, rows, right = len(law.poles), [], []
     for n, states in enumerate(piece.tested(len(drive))):
         row, known = real(law.poles @ states), real(law.turn * drive[n])

@@ -1,4 +1,4 @@
-"""What is known of a cell of a body at given times in balls: poles, harmonics, breaks."""
+"""A cell of a body at given times in balls: poles, harmonics, functions with breaks."""
 
 from fractions import Fraction
 from itertools import accumulate, pairwise
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 
 def function(n: int, sign: int) -> list[Fraction]:
-    """Return ``beta_n`` between two of its breaks, by powers of the age from 0 to 1.
+    """Return the coefficients of ``beta_n`` by powers of the age, from 0 to 1 between breaks.
 
-    Its derivative of order n - 1 jumps by 1 at each break; ``beta_n' = beta_(n-1)``, and from
-    one cell to the next it is multiplied by `sign`.
+    Its derivative of order n - 1 jumps by 1 at each break; ``beta_n' = beta_(n-1)``, and in the
+    next cell it is `sign` times that of the cell.
 
     Examples
     --------
@@ -37,7 +37,7 @@ def function(n: int, sign: int) -> list[Fraction]:
 
 
 def legendre(powers: list[Fraction], age: Any, length: Any) -> dict[int, Any]:
-    """Return ``p(age + length u)`` in the polynomials ``P_j*(u)``, by j."""
+    """Return the coefficients of ``p(age + length u)`` in the polynomials ``P_j*(u)``, by j."""
     found: dict[int, Any] = {}
     for k in range(len(powers)):
         derivative = arb(0)
@@ -51,11 +51,12 @@ def legendre(powers: list[Fraction], age: Any, length: Any) -> dict[int, Any]:
 
 
 def _ball(part: Fraction) -> Any:
+    """Return a fraction as a ball."""
     return arb(fmpq(part.numerator, part.denominator))
 
 
 class Frame:
-    """What is known of a cell at given times; see ``solver.bodies.harmonics.frame``.
+    """A cell at given times; see ``solver.bodies.harmonics.frame``.
 
     Parameters
     ----------
@@ -69,22 +70,22 @@ class Frame:
         self.body = Body(cell, for_harmonics(cell).poles.held)
         durations = times[: self.count]
         self.T = self.body.duration if cell.forced else sum(durations, arb(0))
-        # where phases begin, and the last ends, as parts of the cell
+        # times of the switches and of the end, over that of the cell
         self.ends = [arb(0), *accumulate(t / self.T for t in durations[:-1]), arb(1)]
         self.lengths = [b - a for a, b in pairwise(self.ends)]
-        self.drive = self.body.omega * self.T  # by how much the forcing turns in the cell
+        self.drive = self.body.omega * self.T  # forcing angle of the cell
         first = times[self.count] if cell.forced else arb(0)
         self.angles = [first + self.drive * end for end in self.ends]
         self.turns = _turns(given.order, cell.sign)
         self.breaks = _breaks(given)
-        # harmonics, the factors of `breaks`, and the memory are unknown
+        # the unknowns are harmonics, factors of `breaks`, and memories
         self.waves = len(self.turns) * cell.body.at.shape[1]
         self.memory = self.waves + len(self.breaks)
         self.size = self.memory + len(cell.memory)
         self.pieces, self.laws = self._pieces(), list(map(self._law, cell.phases))
 
     def _pieces(self) -> list[Piece]:
-        """Return the states of the poles by `breaks` on each phase."""
+        """Return the derivatives of the poles' states by the factors of `breaks`, by phase."""
         forces: list[dict[int, Any]] = [{} for _ in range(self.count)]
         hits: list[list[tuple[int, int]]] = [[] for _ in range(self.count)]
         for i, (p, n, c) in enumerate(self.breaks):
@@ -102,25 +103,25 @@ class Frame:
         return around(self.body.poles, lengths, forces, hits, len(self.breaks), self.cell.sign)
 
     def _law(self, phase: "BodyPhase") -> Forms:
-        """Return the contact forces by the law of a phase."""
+        """Return the contact forces as forms, by the law of a phase."""
         law = self.body.forms(laws(phase))
         poles, turn, constant, memory = (0 * q for q in law[:4])
         force = Forms(poles, turn, constant, memory, balls(np.eye(len(law.direct))))
         return closed(force, law)
 
     def integral(self, q: int, turn: Any) -> Any:
-        """Return ``int e^(i turn u) du`` over a phase."""
+        """Return the integral over phase `q` of ``e^(i turn u)``, with u the time over T."""
         wave = (acb(0, 1) * turn * self.ends[q]).exp()
         return wave * self.lengths[q] * moments(acb(0, 1) * turn * self.lengths[q], 1)[0]
 
     def compliance(self, forms: Forms) -> Balls:
-        """Return what forms are of each harmonic of the forces; shape (J, k, contacts)."""
+        """Return the values of forms by each harmonic of the forces; shape (J, k, contacts)."""
         s, b, _ = self.body.poles
-        found = [(forms.poles / (acb(0, 1) * turn / self.T - s)) @ b for turn in self.turns]
-        return of_real(np.array(found, dtype=object))
+        values = [(forms.poles / (acb(0, 1) * turn / self.T - s)) @ b for turn in self.turns]
+        return of_real(np.array(values, dtype=object))
 
     def values(self, forms: Forms, q: int, side: int) -> tuple[Balls, Balls]:
-        """Return forms at an end of phase `q`: rows over the unknowns, and what is known."""
+        """Return rows over the unknowns, and known parts, of forms at an end of phase `q`."""
         wave = [(acb(0, 1) * turn * self.ends[q + side]).exp() for turn in self.turns]
         harmonics = self.compliance(forms) * np.array(wave, dtype=object)[:, None, None]
         states = self.pieces[q].end if side else self.pieces[q].start
@@ -132,7 +133,7 @@ class Frame:
 
 
 def _turns(order: int, sign: int) -> list[Any]:
-    """Return ``h w T`` of the harmonics, ascending; of half a period the odd ones."""
+    """Return ``h omega_0 T`` of the harmonics, ascending; for half a period the odd ones."""
     if sign > 0:
         return [2 * h * arb.pi() for h in range(-order, order + 1)]
     top = order - (order + 1) % 2
@@ -140,7 +141,7 @@ def _turns(order: int, sign: int) -> list[Any]:
 
 
 def _breaks(given: Given) -> list[tuple[int, int, int]]:
-    """Return where, n and contact of functions, then where, 0 and contact of impulses."""
+    """Return (switch, n, contact) of each function, then (switch, 0, contact) of impulses."""
     cell, functions = given.cell, range(given.functions or 0)
     count, contacts = len(cell.phases), range(cell.body.at.shape[1])
     classes = [max(k, 1) for k in cell.classes]
@@ -149,6 +150,6 @@ def _breaks(given: Given) -> list[tuple[int, int, int]]:
 
 
 def of_real(by_harmonic: Balls) -> Balls:
-    """Return the harmonics of the real part of what has these."""
+    """Return the harmonics of the real part of a function with these harmonics."""
     other = [acb(q).conjugate() for q in by_harmonic[::-1].ravel()]
     return (by_harmonic + np.array(other, dtype=object).reshape(by_harmonic.shape)) / 2

@@ -1,4 +1,4 @@
-"""Harmonics of the contact forces of a body in balls, and functions with breaks beside them."""
+"""Contact forces of a body by harmonics and functions with breaks, in balls."""
 
 from collections.abc import Iterator
 from itertools import chain
@@ -14,12 +14,12 @@ from .frame import Frame, of_real
 
 
 def residual(given: Given, times: Any, R: Any) -> None:
-    """Fill R with the events and the length of the cell, as ``solver.bodies.harmonics`` does.
+    """Fill R with residuals of events and of the cell's duration; see ``bodies.harmonics``.
 
     Raises
     ------
     PrecisionError
-        If poles are not told apart.
+        If poles cannot be distinguished.
     """
     frame, cell = Frame(given, np.array(times, dtype=object)), given.cell
     A = np.full((frame.size, frame.size), acb(0), dtype=object)
@@ -43,7 +43,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
 
 
 def _fixing(frame: Frame, p: int) -> Iterator[tuple[int, Any]]:
-    """Yield the rows of the mean forces, and what an event adds to them: 0 on an orbit."""
+    """Yield the rows of the mean forces, and factors of an event added to them, 0 on orbits."""
     own = for_harmonics(frame.cell).phases[p]
     factors = balls(own.fixing / np.diag(own.direct)) / frame.count
     for h, turn in enumerate(frame.turns):
@@ -52,7 +52,7 @@ def _fixing(frame: Frame, p: int) -> Iterator[tuple[int, Any]]:
 
 
 def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
-    """Return the rows of the harmonics: the force less what the laws make of the state."""
+    """Return rows and right sides of the harmonics of: force less its law."""
     J, contacts, breaks = len(frame.turns), frame.cell.body.at.shape[1], len(frame.breaks)
     rows = np.full((J, contacts, frame.size), acb(0), dtype=object)
     right = np.full((J, contacts), acb(0), dtype=object)
@@ -88,7 +88,7 @@ def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
 
 
 def _smooth(frame: Frame) -> Iterator[tuple[Balls, Any]]:
-    """Yield what each factor of a function with a break is: a row, and what is known."""
+    """Yield each factor of a function with a break, a jump of a derivative: row, known part."""
     functions = frame.given.functions or 0
     for p in range(frame.count if functions else 0):
         sign, left = (1, p - 1) if p else (frame.cell.sign, frame.count - 1)

@@ -1,4 +1,4 @@
-"""States of the poles under forces that are polynomials on each piece of a cell, in balls."""
+"""States of poles under forces that are polynomials on each piece of a cell, in balls."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -10,16 +10,16 @@ from flint import acb, arb
 
 from .body import Balls, balls
 
-#: Of each column the contact at which its force acts, and the coefficients of that in
-#: Legendre polynomials of the piece, by degree.
+#: For each column (unknown) the contact at which its force acts, and the Legendre coefficients
+#: of the force on the piece, by degree.
 Forces = Mapping[int, tuple[int, Mapping[int, Any]]]
 
 
 def moments(kappa: Any, count: int) -> Balls:
     """Return ``int_0^1 e^(kappa u) P_n*(u) du`` for n below `count`.
 
-    ``e^(kappa/2) i_n(kappa/2)``, i_n by its series 0F1 (DLMF 10.47.7, 10.39.9), or upwards by
-    its recurrence, which keeps digits where kappa is large.
+    ``e^(kappa/2) i_n(kappa/2)``, with i_n by its series 0F1 (DLMF 10.47.7, 10.39.9), or for
+    large kappa by upward recurrence, which is stable there.
     """
     kappa = acb(kappa)
     if abs(kappa) > 2 * count:
@@ -54,13 +54,13 @@ def answers(kappa: Any, count: int) -> Balls:
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """The states of the poles along a piece: ``decaying e^(kappa u) + sum rest P_n*(u)``.
+    """The states of the poles on a piece: ``decaying e^(kappa u) + sum rest P_n*(u)``.
 
     Parameters
     ----------
     kappa : ndarray of acb, shape (m,)
     start : ndarray of acb, shape (m, U)
-        By column, where the piece begins.
+        At the begin of the piece, by column.
     rest : ndarray of acb, shape (m, U, D)
     """
 
@@ -76,12 +76,12 @@ class Piece:
 
     @cached_property
     def end(self) -> Balls:
-        """The states where it ends."""
+        """The states at the end."""
         grown = np.array([q.exp() for q in self.kappa], dtype=object)
         return self.decaying * grown[:, None] + self.rest.sum(axis=2)
 
     def tested(self, count: int) -> Balls:
-        """Return the integrals of the states with ``P_n*`` for n below it; (count, m, U)."""
+        """Return the integrals of the states times ``P_n*`` for n < count; (count, m, U)."""
         by_pole = np.array([moments(q, count) for q in self.kappa], dtype=object)
         found = [by_pole[:, n, None] * self.decaying for n in range(count)]
         for n in range(min(count, self.rest.shape[2])):
@@ -89,7 +89,7 @@ class Piece:
         return np.array(found, dtype=object)
 
     def by_wave(self, turn: Any) -> Balls:
-        """Return the integral of the states with ``e^(-i turn u)``; shape (m, U)."""
+        """Return the integral of the states times ``e^(-i turn u)``; shape (m, U)."""
         against = acb(0, -1) * turn
         decayed = [moments(q + against, 1)[0] for q in self.kappa]
         own = moments(against, self.rest.shape[2])
@@ -104,21 +104,22 @@ def around(
     columns: int,
     sign: int,
 ) -> list[Piece]:
-    """Return the pieces of a cell that repeats itself.
+    """Return the pieces of a cell of a periodic motion.
 
     Parameters
     ----------
     poles : tuple
-        Of a `Body`.
+        `Body.poles`.
     lengths : sequence of arb
         Durations of the pieces.
     forces : sequence of Forces
         On each piece.
     hits : sequence of (column, contact)
-        Unit impulses behind each piece.
+        Unit impulses at the end of each piece.
     columns : int
+        Number of unknowns.
     sign : int
-        What the motion is multiplied by from one cell to the next.
+        The next cell is this times the cell.
     """
     s, b, _ = poles
     rests = [_rest(s * t, b * t, own, columns) for t, own in zip(lengths, forces, strict=True)]
@@ -138,6 +139,7 @@ def around(
 
 
 def _rest(kappa: Balls, b: Balls, forces: Forces, columns: int) -> Balls:
+    """Return the polynomial part of the states on a piece; see `Piece`."""
     count = 1 + max((n for _, series in forces.values() for n in series), default=0)
     rest = np.full((len(kappa), columns, count), acb(0), dtype=object)
     by_degree = np.array([answers(q, count) for q in kappa], dtype=object)
