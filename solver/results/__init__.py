@@ -1,1 +1,1 @@
-"""What users hold of an orbit, and the document of it."""
+"""Result objects that users get, and their documents."""

@@ -1,4 +1,4 @@
-"""What a branch of orbits along a parameter comes to: its orbits, and what happens on it."""
+"""A branch of orbits along a parameter as a result: its orbits and events."""
 
 from dataclasses import asdict, dataclass
 from typing import Any, ClassVar
@@ -8,22 +8,22 @@ from .family import Family
 
 @dataclass(frozen=True)
 class BranchEvent:
-    """Something that happens on a branch, at one value of the parameter.
+    """A bifurcation or another event on a branch, at one value of the parameter.
 
     Parameters
     ----------
     kind : {"fold", "flip", "torus", "branch-point", "grazing", "sticking", "vanishing"}
-        The branch turns back; a period is doubled; a second period comes up; the symmetry is
-        lost, or branches meet; a surface is touched, or left at no speed; a rest begins or
+        The branch turns back; period doubling; Neimark-Sacker; the symmetry is lost, or
+        branches meet; a surface is touched, or left at zero speed; a phase of rest begins or
         ends; another phase vanishes.
     parameter : float
         The value, in SI units.
     motion : str or None
-        That of the branch there; None where the scene has only one.
+        The motion of the branch there; None if the scene has only one.
     phase : str or None
-        In which it happens; None where it is of the whole orbit.
+        The phase in which it happens; None if it concerns the whole orbit.
     estimate : float
-        Of the error of the value: what finding it from the other side gives otherwise.
+        Estimated error of the value: the difference from the value located from the other side.
     """
 
     kind: str
@@ -35,22 +35,22 @@ class BranchEvent:
 
 @dataclass(frozen=True, repr=False)
 class Branch(Family):
-    """A branch of exact orbits along a parameter, from the one end to the other.
+    """A branch of exact orbits along a parameter, from one end to the other.
 
     Parameters
     ----------
     case : Case
         The oscillator.
     parameter : str
-        What varies.
+        Name of the parameter that varies.
     method, order, functions : str, int, int or None
-        An expansion that was solved beside each orbit, if one was asked for.
+        An expansion that was solved next to each orbit, if one was asked for.
     rows : tuple of FamilyRow
-        The orbits, as they lie on the branch: where it turns, there are several at one value.
+        The orbits in the order of the branch; after a fold there are several at one value.
     events : tuple of BranchEvent
-        What happens on it, in the same turn.
+        Events in the same order.
     why_it_ended : (str, str)
-        At its start and at its end.
+        Why it ends at its start, and at its end.
     """
 
     events: tuple[BranchEvent, ...] = ()
@@ -86,11 +86,11 @@ class Branch(Family):
         keys = (*times, "extremes", "multipliers", "stable", "strobe")
         rows = [row.as_dict() for row in self.rows]
         how = {"method": self.method, "order": self.order} if self.order else {}
-        more = ["beside"] if how else []
+        beside = ["beside"] if how else []
         return self.head(**how) | {
             "vary": self.parameter,
             "points": [
-                {"parameter": row["value"], **{key: row.get(key) for key in (*keys, *more)}}
+                {"parameter": row["value"], **{key: row.get(key) for key in (*keys, *beside)}}
                 for row in rows
             ],
             "events": [asdict(event) for event in self.events],

@@ -1,4 +1,4 @@
-"""What a map of two parameters comes to: motions, their stability, curves of events."""
+"""A map over two parameters as a result: motions, their stability, curves of events."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -10,24 +10,24 @@ from ..arrays import Integers, Matrix, Vector
 from ..presentation.table import Table, Tabular
 from ..scenes.case import Case
 
-#: Whether an orbit is stable, by the number that an array has for it.
+#: Whether an orbit is stable, by its code in arrays.
 STABLE = {1: True, 0: False, -1: None}
 
 
 @dataclass(frozen=True, eq=False)
 class EventCurve:
-    """A curve on which something happens to an orbit.
+    """A curve of an event of orbits in the plane of two parameters.
 
     Parameters
     ----------
     kind : str
-        As that of a `BranchEvent`.
+        As in `BranchEvent`.
     motion : str
-        Of the orbits on it.
+        The motion of the orbits on it.
     points : ndarray, shape (m, 2)
-        Both parameters, in SI units, from the one end to the other.
+        Both parameters, in SI units, from one end to the other.
     why_it_ended : (str, str)
-        At its start and at its end.
+        Why it ends at its start, and at its end.
     """
 
     kind: str
@@ -38,22 +38,24 @@ class EventCurve:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Chart(Tabular):
-    """Which motion an oscillator has over two of its parameters.
+    """The motions of an oscillator over two of its parameters.
 
     Parameters
     ----------
     case : Case
         The oscillator; its own values of the two parameters do not matter.
     parameters : (str, str)
-        What varies: along the columns, and along the rows.
+        Names of the parameters that vary along the columns, and along the rows.
     values : (ndarray, ndarray)
         Their values, in SI units.
     motions : tuple of str
-        Those that occur: as a scene declares them, or phases joined by commas; ``only`` and a
-        phase where nothing ends it.
+        The motions that occur: names of the scene, or phases joined by commas; ``only`` and a
+        phase if it never ends.
     index, stable : ndarray of int, shape (rows, columns)
-        The number of the motion, -1 where none is found; 1 if it is stable, 0 if it is not,
-        -1 where that is not known.
+        The index of the motion, -1 if none is found; 1 if it is stable, 0 if it is not, -1 if
+        unknown.
+    curves : tuple of EventCurve
+        Curves of events.
     """
 
     case: Case
@@ -79,7 +81,7 @@ class Chart(Tabular):
     def plot(self, ax: Any = None) -> Any:
         """Draw the regions of motions and the curves between them, and return the axes.
 
-        What is not stable is hatched, and where there is no orbit it is white.  Needs
+        Regions without a stable orbit are hatched, those without an orbit white.  Needs
         matplotlib, the extra ``plot``.
         """
         from ...plots.charts import draw  # noqa: PLC0415  (an extra)
@@ -87,7 +89,7 @@ class Chart(Tabular):
         return draw(self, ax)
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """Yield a row a point, as a file of them has it."""
+        """Yield a row for each point, as in files."""
         fixed = {"scene": self.case.scene.name, "cycles": self.case.cycles} | self._others
         columns, rows = self.axes.values()
         for b, motion, stable in zip(rows, self.motion, self.stable.tolist(), strict=True):
@@ -96,7 +98,7 @@ class Chart(Tabular):
                 yield here | {"motion": name, "stable": STABLE[each]} | fixed
 
     def table(self) -> Table:
-        """Return a row a point: both parameters, the motion and whether it is stable."""
+        """Return a row for each point: both parameters, the motion, whether it is stable."""
         a, b = np.meshgrid(*self.values)
         places = dict(zip(self.parameters, (a.ravel(), b.ravel()), strict=True))
         names = np.array([*self.motions, ""])

@@ -1,4 +1,4 @@
-"""An orbit of a scene as the document that programs read, in SI units."""
+"""An orbit of a scene as a JSON document, in SI units."""
 
 from dataclasses import asdict, fields
 from typing import TYPE_CHECKING, Any
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def document(orbit: "Orbit") -> dict[str, Any]:
-    """Return an orbit as a document of JSON: numbers, text, lists; None for what is unknown."""
+    """Return an orbit as a JSON document: numbers, text, lists; None for unknown values."""
     content = {
         **_head(orbit.case, orbit.method, orbit.order, orbit.functions),
         "converged": orbit.converged,
@@ -54,7 +54,7 @@ def document_without_orbit(
     case: "Case", method: str, order: int | None, functions: int | None, finding: "NoOrbit",
     exact: "ExactOrbit | None",
 ) -> dict[str, Any]:  # fmt: skip
-    """Return the document of an orbit that is not there: the same keys, and its status."""
+    """Return the document of a missing orbit: the same keys as for an orbit, and `status`."""
     ends = dict.fromkeys(("displacement", "velocity"))
     content = {
         **_head(case, method, order, functions),
@@ -88,7 +88,7 @@ def document_without_orbit(
 def _head(
     case: "Case", method: str, order: int | None, functions: int | None
 ) -> dict[str, Any]:
-    """Return what was asked for."""
+    """Return the entries of a document that state the problem: case, method, order."""
     return {
         "schema": SCHEMA,
         "scene": case.scene.name,
@@ -104,16 +104,17 @@ def _head(
 
 
 def _phases(case: "Case") -> "tuple[Phase, ...]":
-    """Return the phases of a period; none, where several motions are possible."""
+    """Return the phases of a period; none if the scene has several motions."""
     return () if case.scene.motions else case.cell.phases * case.cell.cells
 
 
 def errors_of(errors: Errors | None) -> dict[str, float | None]:
-    """Return errors by their names; None for each of an orbit that is not there."""
+    """Return errors by their names; each is None without an orbit."""
     return asdict(errors) if errors else dict.fromkeys(q.name for q in fields(Errors))
 
 
 def _of_exact(exact: "ExactOrbit | None") -> dict[str, Any]:
+    """Return the times of an exact orbit; each is None without one."""
     return {
         "period": exact and exact.period,
         "forcing_phase": exact and exact.forcing_phase,
@@ -122,6 +123,6 @@ def _of_exact(exact: "ExactOrbit | None") -> dict[str, Any]:
 
 
 def _of_other(exact: "ExactOrbit") -> dict[str, Any]:
-    """Return what is said of an orbit that exists beside another."""
+    """Return motion, times and stability of another exact orbit of the case."""
     motion = {"motion": exact.case.scene.motion}
     return motion | _of_exact(exact) | stability.document(exact)

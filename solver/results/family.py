@@ -1,4 +1,4 @@
-"""What a sweep along a parameter comes to: a row for each of its values."""
+"""A family of orbits along a parameter as a result: a row for each value."""
 
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
@@ -22,11 +22,11 @@ class Beside:
     Parameters
     ----------
     period, forcing_phase : float, float or None
-        In s and rad; the second None where nothing forces.
+        In s and rad; the second is None without forcing.
     durations : tuple of float
-        Of the phases of one period, in s.
+        Durations of the phases of one period, in s.
     errors : Errors
-        Against the exact orbit.
+        Errors against the exact orbit.
     """
 
     period: float
@@ -36,7 +36,7 @@ class Beside:
 
     @property
     def numbers(self) -> dict[str, float | None]:
-        """What tables have of it."""
+        """Its columns in tables."""
         errors = {f"beside_error_{name}": value for name, value in asdict(self.errors).items()}
         times = {"beside_period": self.period, "beside_forcing_phase": self.forcing_phase}
         return times | errors
@@ -49,16 +49,16 @@ class FamilyRow:
     Parameters
     ----------
     value : float
-        Of the parameter, in SI units.
+        Value of the parameter, in SI units.
     status : {"ok", "no-orbit", "not-converged"}
     period, forcing_phase : float or None
-        In s and rad; None without an orbit, the second also where nothing forces.
+        In s and rad; None without an orbit, the second also without forcing.
     durations : tuple of float or None
-        Of the phases of one period, in s.
+        Durations of the phases of one period, in s.
     extremes : dict or None
         Least and largest ``displacement`` and ``velocity``.
     estimate : Errors or None
-        Errors, as estimated.
+        Estimated errors.
     iterations : int
         Jacobians factorised.
     followed : bool
@@ -66,16 +66,15 @@ class FamilyRow:
     message : str
         Why there is no orbit; empty if there is one.
     motion : str or None
-        Which of the scene's motions it is; None without an orbit, or where there is only one.
+        Which of the scene's motions it is; None without an orbit, or if there is only one.
     multipliers : tuple of complex or None
-        Of a whole period, the largest first; None where there are none.
+        Floquet multipliers of a whole period, the largest first; None if there are none.
     stable : bool or None
-        Whether perturbations die out; None where that is not known.
+        Whether perturbations decay; None if unknown.
     strobe : (float, float) or None
-        Displacement and velocity where the phase of the forcing is 0, as a diagram has them;
-        None where nothing forces.
+        Displacement and velocity where the phase of the forcing is 0; None without forcing.
     beside : Beside or None
-        On a branch: the orbit of an expansion next to it, if one was asked for and has one.
+        On a branch, the orbit of an expansion next to it, if one was asked for and found.
     """
 
     value: float
@@ -96,13 +95,13 @@ class FamilyRow:
 
     @property
     def largest_multiplier(self) -> float | None:
-        """The largest modulus of a multiplier."""
+        """The largest modulus of the multipliers; None if there are none."""
         return (
             None if self.multipliers is None else max(map(abs, self.multipliers), default=0.0)
         )
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the row as JSON has it."""
+        """Return the row as in JSON documents."""
         ends = self.extremes or dict.fromkeys(("displacement", "velocity"))
         found = asdict(self) | {"estimate": errors_of(self.estimate), "extremes": ends}
         if self.beside is None:
@@ -112,7 +111,7 @@ class FamilyRow:
         return found
 
 
-#: Numbers of which each row has one, or none.
+#: Fields of a row that are a number or None.
 NUMBERS = ("value", "period", "forcing_phase", "iterations")
 
 #: Units of the numbers in a row.
@@ -135,11 +134,11 @@ class Family(OfRows):
     case : Case
         The oscillator, with the first value.
     parameter : str
-        The name of what varies.
+        Name of the parameter that varies.
     method, order, functions : str, int, int or None
         How each orbit was computed.
     rows : tuple of FamilyRow
-        One a value.
+        One for each value.
     """
 
     case: Case
@@ -149,7 +148,7 @@ class Family(OfRows):
     functions: int | None
     rows: tuple[FamilyRow, ...]
 
-    #: Whether the rows lie on one branch, in turn.
+    #: Whether the rows are successive points of one branch.
     in_turn: ClassVar[bool] = False
 
     def __len__(self) -> int:
@@ -173,7 +172,9 @@ class Family(OfRows):
     def __getitem__(
         self, index: str | int | slice
     ) -> Vector | FamilyRow | tuple[FamilyRow, ...]:
-        """Return ``"value"``, ``"period"`` or ``"forcing_phase"`` of all rows; or some rows.
+        """Return a column of numbers by its name, or rows by index.
+
+        The names are ``"value"``, ``"period"``, ``"forcing_phase"`` and ``"iterations"``.
 
         Raises
         ------
@@ -206,14 +207,14 @@ class Family(OfRows):
         Parameters
         ----------
         ax : matplotlib Axes, optional
-            Where to draw; default: new axes.
+            Axes to draw in; new ones by default.
         quantity : str
-            ``"displacement"``, ``"velocity"``: both ends; ``"times"``: the durations of the
-            phases, or of a single one the phase of the forcing; ``"estimate"``: the estimated
-            error of the times; ``"period"``; ``"amplitude"``; ``"multiplier"``: the largest
-            modulus; ``"strobe"``: the displacement where the phase of the forcing is 0.
+            ``"displacement"``, ``"velocity"``: both extremes; ``"times"``: the durations of the
+            phases, or, for a single phase, the phase of the forcing; ``"estimate"``: the
+            estimated error of the times; ``"period"``; ``"amplitude"``; ``"multiplier"``: the
+            largest modulus; ``"strobe"``: the displacement where the phase of the forcing is 0.
         **style
-            Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+            Style of the lines, as for `matplotlib.axes.Axes.plot`.
 
         Raises
         ------
@@ -227,7 +228,7 @@ class Family(OfRows):
         return draw(self, ax, quantity, **style)
 
     def table(self) -> Table:
-        """Return the rows; the value has the name of the parameter."""
+        """Return the rows; the column of values has the name of the parameter."""
         rows = [row.as_dict() | {"multipliers": row.largest_multiplier} for row in self.rows]
         for each, row in zip(rows, self.rows, strict=True):
             each.pop("beside", None)

@@ -1,4 +1,4 @@
-"""Ctrl-C in what takes long: what was found before is not lost."""
+"""Ctrl-C during long computations, with the results found before."""
 
 from typing import Any
 
@@ -9,9 +9,9 @@ class Interrupted(KeyboardInterrupt):
     Parameters
     ----------
     done : Family, Chart or list of Branch
-        What was found before.
+        The results found before.
     words : str
-        How much that is: ``"3 of 40 values are done"``.
+        How much was done: ``"3 of 40 values are done"``.
     """
 
     def __init__(self, done: Any, words: str) -> None:

@@ -19,47 +19,47 @@ from .document import document
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Orbit(Solution):
-    """A periodic orbit of a case, computed by one method at one order: a `Solution` to keep."""
+    """A periodic orbit of a case, computed by one method at one order."""
 
     @classmethod
     def of(cls, found: Solution) -> "Orbit":
-        """Return a solution as what users hold of its case."""
-        own = {q.name: getattr(found, q.name) for q in fields(found)}
-        return found.case.presented(cls(**own))
+        """Return a solution as the orbit that users of its case get."""
+        values = {q.name: getattr(found, q.name) for q in fields(found)}
+        return found.case.presented(cls(**values))
 
     @property
     def further(self) -> Mapping[str, float]:
-        """More numbers for rows and documents, by the names that the case has for them."""
+        """Further numbers for rows and documents, by name; none but in subclasses."""
         return {}
 
     @property
     def confirmed(self) -> bool:
-        """Whether it is an orbit, and near one: the exact one, or one of higher order."""
+        """Whether it is admissible, and an exact orbit or one of higher order is next to it."""
         if not (self.converged and self.admissible):
             return False
         return self.exact is not None or math.isfinite(self.estimate.times)
 
     @property
     def others(self) -> list[ExactOrbit]:
-        """Exact orbits of the same oscillator, of any motion, that are known beside this one.
+        """Other known exact orbits of the same oscillator, of any motion.
 
-        All there are where all solutions of the exact equations can be listed: of one or two
-        phases under a forcing.
+        These are all there are if the solutions of the exact equations can be listed: for one
+        or two phases with forcing.
         """
         return [] if self.exact is None else others(self.exact)
 
     @cached_property
     def estimate(self) -> Errors:
-        """Errors as they are estimated, of one mass without the exact orbit; see `estimate`."""
+        """Estimated errors, for one mass without the exact orbit; see `accuracy.estimate`."""
         return estimate(self)
 
     @cached_property
     def stability(self) -> Stability:
-        """What a period of the exact orbit next to this one makes of small perturbations.
+        """The Floquet multipliers of the exact orbit next to this one, with their rounding.
 
-        Multipliers belong to the exact orbit that this one approximates.  At its own times and
-        states they have its errors, which grow where an event is crossed slowly: the saltation
-        divides by the rate there.  They stand in only where no exact orbit is found.
+        Without an exact orbit they are computed at its own times and states, with its errors;
+        these are amplified where an event is crossed slowly, for the saltation matrix divides
+        by the rate there.
 
         Raises
         ------
@@ -74,12 +74,12 @@ class Orbit(Solution):
 
     @property
     def label(self) -> str:
-        """What a legend calls it: ``"c0-tau, N = 10"``."""
+        """Name in a legend: ``"c0-tau, N = 10"``."""
         return f"{shown(self.case.scene, self.method)}, N = {self.order}"
 
     @property
     def look(self) -> dict[str, Any]:
-        """Of its curves in pictures: those of the method."""
+        """Style of its curve in pictures, that of the method."""
         return about(self.method).look
 
     @property
@@ -90,10 +90,10 @@ class Orbit(Solution):
 
     @property
     def facts(self) -> dict[str, str]:
-        """What a notebook shows."""
-        found = super().facts
-        head = {name: found.pop(name) for name in ("scene", "parameters")}
-        return head | {"method": self.label} | found | {
+        """Lines that a notebook shows."""
+        facts = super().facts
+        head = {name: facts.pop(name) for name in ("scene", "parameters")}
+        return head | {"method": self.label} | facts | {
             "stability": in_words(self),
             "estimated error of the times": f"{self.estimate.times:.1e}",
         }  # fmt: skip

@@ -1,4 +1,4 @@
-"""What motions seen once a period of the forcing come to: a diagram, and basins."""
+"""Results of stroboscopic simulation: bifurcation diagrams and basins of attraction."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -9,25 +9,25 @@ from ..arrays import Integers, Matrix, Vector
 from ..presentation.table import Table, Tabular
 from ..scenes.case import Case
 
-#: Units of what is seen.
+#: Units of the states.
 UNITS = {"displacement": "m", "velocity": "m/s"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Diagram(Tabular):
-    """A bifurcation diagram: the states once a period of the forcing, along a parameter.
+    """A bifurcation diagram: states once a period of the forcing, along a parameter.
 
     Parameters
     ----------
     case : Case
         The oscillator; its own value of the parameter does not matter.
     parameter : str
-        What varies.
+        Name of the parameter that varies.
     values : tuple of float
         Its values, in SI units.
     states : tuple of ndarray, shape (n, 2) or more columns
-        Displacement, velocity and what the motion remembers, of each value; fewer than asked
-        for, or none, where the motion ends.
+        Displacement, velocity and memories, for each value; fewer states than asked for, or
+        none, if the motion ends.
     """
 
     case: Case
@@ -48,7 +48,7 @@ class Diagram(Tabular):
         return draw_diagram(self, ax, quantity, **style)
 
     def table(self) -> Table:
-        """Return a row a state; the value has the name of the parameter."""
+        """Return a row for each state; the column of values has the name of the parameter."""
         counts = [len(each) for each in self.states]
         columns: dict[str, Any] = {self.parameter: np.repeat(self.values, counts).tolist()}
         for j, name in enumerate(UNITS):
@@ -74,14 +74,14 @@ class Diagram(Tabular):
 
 @dataclass(frozen=True)
 class Attractor:
-    """A motion on which others settle.
+    """A periodic motion on which other motions settle.
 
     Parameters
     ----------
     cycles : int
-        Periods of the forcing after which it repeats itself.
+        Periods of the forcing in its period.
     states : tuple of (float, float)
-        Displacement in m and velocity in m/s where the phase of the forcing is 0, in turn.
+        Displacement in m and velocity in m/s where the phase of the forcing is 0, in order.
     """
 
     cycles: int
@@ -90,7 +90,7 @@ class Attractor:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Basins(Tabular):
-    """On which attractor the motion settles from each state of a grid.
+    """The attractor on which the motion from each state of a grid settles.
 
     Parameters
     ----------
@@ -98,8 +98,8 @@ class Basins(Tabular):
         Displacements in m and velocities in m/s at the start, where the phase of the forcing
         is 0.
     index : ndarray of int, shape (len(v), len(x))
-        The number of the attractor from each start; -1 where the motion has not come to one
-        that repeats itself, -2 where no phase takes the start or the motion ends.
+        The index of the attractor from each start; -1 if the motion has not become periodic,
+        -2 if no phase can begin with the start or the motion ends.
     """
 
     case: Case
@@ -109,7 +109,7 @@ class Basins(Tabular):
     index: Integers
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the starts by their attractors, which are marked, and return the axes.
+        """Draw the starts, coloured by attractor, and the attractors; return the axes.
 
         Needs matplotlib, the extra ``plot``.
         """
@@ -118,7 +118,7 @@ class Basins(Tabular):
         return draw_basins(self, ax)
 
     def table(self) -> Table:
-        """Return a row a start."""
+        """Return a row for each start."""
         x, v = np.meshgrid(self.x, self.v)
         starts = {"displacement": x.ravel().tolist(), "velocity": v.ravel().tolist()}
         columns: dict[str, Any] = starts | {"attractor": self.index.ravel().tolist()}

@@ -1,4 +1,4 @@
-"""What a sweep over orders comes to: a row for each method and order."""
+"""A sweep over orders as a result: a row for each method and order."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
@@ -15,30 +15,30 @@ from .document import errors_of
 
 @dataclass(frozen=True)
 class SweepRow:
-    """One method at one order.
+    """The orbit of one method at one order, or why there is none.
 
     Parameters
     ----------
     method, order : str, int
-        What was asked for; the generic name.
+        Generic name, and order.
     status : {"ok", "no-orbit", "not-converged"}
-        An orbit; shown that there is none; none found.
+        An orbit was found; proved that there is none; none was found.
     period : float or None
-        In s; None without an orbit, as all that follows but `iterations` and `seconds`.
+        In s; None without an orbit, as are all fields below but `iterations` and `seconds`.
     forcing_phase : float or None
-        In rad; None also where nothing forces.
+        In rad; None also without forcing.
     durations : tuple of float or None
-        Of the phases of one period, in s.
+        Durations of the phases of one period, in s.
     iterations : int
         Jacobians factorised.
     errors, estimate : Errors or None
-        Against the exact orbit; as estimated without it.
+        Errors against the exact orbit; estimated without it.
     seconds : float
-        Time of the search; of one of them compilation too, if there is enough to compute.
+        Time of the search, which may include that of compilation.
     message : str
         Why there is no orbit; empty if there is one.
     further : mapping
-        See `Orbit`.
+        `Orbit.further`.
     """
 
     method: str
@@ -55,7 +55,7 @@ class SweepRow:
     further: Mapping[str, float] = field(default_factory=dict, hash=False)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the row as JSON has it."""
+        """Return the row as in JSON documents."""
         found: dict[str, Any] = asdict(self) | {
             "errors": errors_of(self.errors),
             "estimate": errors_of(self.estimate),
@@ -70,7 +70,7 @@ UNITS = {"period": "s", "forcing_phase": "rad", "seconds": "s", "t1": "s"}
 
 @dataclass(frozen=True, repr=False)
 class Sweep(OfRows, Sequence[SweepRow]):
-    """The rows of a sweep of a case, in the order in which they were asked for."""
+    """The rows of a sweep of a case, in the order of the request."""
 
     case: Case
     rows: tuple[SweepRow, ...]
@@ -94,7 +94,7 @@ class Sweep(OfRows, Sequence[SweepRow]):
         return tuple(row for row in self.rows if row.method == wanted)
 
     def rates(self) -> dict[str, Rate]:
-        """Return how fast each method converges, by its generic name."""
+        """Return the rate of convergence of each method, by its generic name."""
         found = {}
         for method in dict.fromkeys(row.method for row in self.rows):
             rows = [(row.order, asdict(row.errors)) for row in self.of(method) if row.errors]
@@ -102,7 +102,7 @@ class Sweep(OfRows, Sequence[SweepRow]):
         return found
 
     def dictionaries(self) -> list[dict[str, Any]]:
-        """Return the rows as JSON has them, all with the same keys in the same order."""
+        """Return the rows as in JSON documents, all with the same keys in the same order."""
         found = []
         for row in self.rows:
             values = row.as_dict() | {"method": self.case.called(row.method)}
@@ -117,18 +117,18 @@ class Sweep(OfRows, Sequence[SweepRow]):
         return self.head() | {"rows": self.dictionaries(), "rates": rates}
 
     def plot(self, ax: Any = None, quantity: str = "times", **style: Any) -> Any:
-        """Draw one error against the order, a line a method; return the axes.
+        """Draw one error against the order, a line for each method; return the axes.
 
         Needs matplotlib, the extra ``plot``.
 
         Parameters
         ----------
         ax : matplotlib Axes, optional
-            Where to draw; default: new axes, with a legend.
+            Axes to draw in; by default new ones with a legend.
         quantity : {"times", "discontinuous", "period"}
-            The field of `Errors`.
+            A field of `Errors`.
         **style
-            Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+            Style of the lines, as for `matplotlib.axes.Axes.plot`.
 
         Raises
         ------
@@ -142,7 +142,7 @@ class Sweep(OfRows, Sequence[SweepRow]):
         return draw(self, ax, quantity, **style)
 
     def table(self) -> Table:
-        """Return the rows; `duration_1` and so on are those of the phases of a period."""
+        """Return the rows; `duration_1` and so on are the durations of phases of a period."""
         columns = flat(self.dictionaries())
         units = UNITS | {n: "s" for n in columns if n.startswith("duration_")}
         return Table(("method", "order"), columns, units, self.about() | dict(self.case.values))
