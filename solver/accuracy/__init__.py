@@ -1,1 +1,1 @@
-"""What the error of an orbit is without the exact one, and how fast errors fall."""
+"""Error estimates without the exact orbit, and rates of convergence."""

@@ -1,15 +1,15 @@
-"""The error of an orbit, estimated without the exact one: by the change to a better orbit.
+"""Estimate of an orbit's error without the exact orbit: its difference from a better orbit.
 
-The better orbit is that of the method whose times converge fastest, from the orbit's own times,
-at an order where it has nearly always converged.  What it may be off by itself, the change to a
-few orders more, is added.  Only where no better orbit is found, it is the error against the
-exact one.  So it is of a body, whose every orbit is judged by that anyway: where modes hardly
-damped ring on in a contact, a few orders more change little, and are as far off.
+The better orbit is by the method whose times converge fastest, started from the orbit's times,
+at an order where it has nearly always converged.  Its own error, estimated by its change over a
+few more orders, is added.  If no better orbit is found, the error against the exact orbit is
+returned.  This is always done for a body, each orbit of which is compared with the exact one
+anyway: with lightly damped modes, a few more orders change little and are as far off.
 
-Rounding is added as well: what Newton's method left, and what all orders share.  Parameters and
-residuals are rounded, and where two orbits nearly meet, or little damps a resonance, the orbit
-answers to that by far more: the condition number of the exact equations says by how much.  The
-last correction of Newton's method alone does not: it may be small by chance.
+Rounding errors are added: the last correction of Newton's method, which may be small by chance,
+and the effect of rounded parameters and residuals.  The latter is large where two orbits nearly
+meet, or near a resonance with little damping; the condition number of the exact equations
+bounds it.
 """
 
 import math
@@ -24,26 +24,26 @@ from ..orbit.motion import LOOK, Motion
 from ..orbit.solution import Solution, attempt
 from ..scenes.methods import FIRST
 
-#: The order of the better orbit: so many more than the orbit's, and no less than that; nor more
-#: than that, where the orbit is of a method whose errors are far larger at any order.
+#: Order of the better orbit: the orbit's plus `MORE`, at least `LEAST`; at most `MOST` if the
+#: orbit is by another method, whose errors are far larger.
 MORE, LEAST, MOST = 4, 20, 60
 
-#: Least rounding of the times, as a part of the period, beside the last corrections of Newton's
-#: method; and of the derivative.
+#: Least rounding error of the times, relative to the period; factor of the last correction of
+#: Newton's method; least rounding error of the derivative.
 ROUNDING, CORRECTIONS, DERIVATIVE_ROUNDING = 2e-15, 4.0, 1e-14
 
 #: Differences of times and of the derivative below which two solutions are the same root: one
-#: is an orbit if the other is, and is not followed through its critical points again.
+#: is an orbit if the other is, and need not be checked again.
 SAME, SAME_DERIVATIVE = 1e-6, 1e-3
 
-#: What one rounding is, as a part of a number.
+#: Machine epsilon of float64.
 EPSILON = float(np.finfo(float).eps)
 
 NOTHING = Errors(math.inf, math.inf, math.inf, math.inf)
 
 
 def estimate(orbit: Solution) -> Errors:
-    """Return the estimated errors of an orbit, without sign; infinite where none is known."""
+    """Return the estimated errors of an orbit, without sign; infinite if unknown."""
     if orbit.case.scene.has_body:
         return _with_rounding(orbit, orbit, _against_the_exact_orbit(orbit))
     if FIRST not in registry.methods(orbit.case.scene):
@@ -60,24 +60,24 @@ def estimate(orbit: Solution) -> Errors:
 
 
 def _with_rounding(orbit: Solution, near: Motion, found: Errors) -> Errors:
-    """Return errors with what rounding adds to them, by an orbit near to the exact one."""
+    """Return errors plus rounding errors, whose condition is computed at an accurate orbit."""
     left, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(near)
     free = 0.0 if orbit.case.cell.forced else shared  # a forcing makes the period known
-    turned = 2 * math.pi * shared  # times are parts of a period, and this of a radian
-    there, derivative = (EPSILON * part for part in cancelled(near))
+    angle = 2 * math.pi * shared  # times are relative to the period, this is in radians
+    place, derivative = (EPSILON * part for part in cancelled(near))
     return Errors(
         period=found.period + left + max(ROUNDING, free),
         times=found.times + left + max(ROUNDING, shared),
-        discontinuous=found.discontinuous + left + max(DERIVATIVE_ROUNDING, turned, derivative),
-        switches=found.switches + left + max(ROUNDING, shared, there),
+        discontinuous=found.discontinuous + left + max(DERIVATIVE_ROUNDING, angle, derivative),
+        switches=found.switches + left + max(ROUNDING, shared, place),
     )
 
 
 def cancelled(motion: Motion) -> tuple[float, float]:
-    """Return how much larger the forces on a mass are than what they come to.
+    """Return the cancellation of forces on a mass: their sizes over those of their results.
 
-    That is rounded by their parts: the displacement over a phase, and the acceleration.  What
-    forces a structure is made of is in its condition number alone.
+    The results are the displacement in a phase and the acceleration, whose rounding errors are
+    larger by these factors.  They are 0 for a body, whose condition number includes them.
 
     Examples
     --------
@@ -94,15 +94,15 @@ def cancelled(motion: Motion) -> tuple[float, float]:
         if phase.held:
             continue
         force, time = (abs(phase.f) + abs(phase.g)) / phase.m, motion.cell_durations[p]
-        answer = min(time**2 / 2, phase.m / abs(phase.k) if phase.k else math.inf)
+        response = min(time**2 / 2, phase.m / abs(phase.k) if phase.k else math.inf)
         sizes = [float(np.abs(motion.part(p, LOOK, order)).max()) for order in (0, 2)]
-        parts, whole = np.maximum(parts, (force * answer, force)), np.maximum(whole, sizes)
-    there, force = (float(a / b) if b else 0.0 for a, b in zip(parts, whole, strict=True))
-    return there, force
+        parts, whole = np.maximum(parts, (force * response, force)), np.maximum(whole, sizes)
+    place, force = (float(a / b) if b else 0.0 for a, b in zip(parts, whole, strict=True))
+    return place, force
 
 
 def _against_the_exact_orbit(orbit: Solution) -> Errors:
-    """Return the errors themselves, where no better orbit says what they are."""
+    """Return the errors against the exact orbit, without sign; infinite without one."""
     found = orbit.errors
     if found is None:
         return NOTHING
@@ -110,10 +110,10 @@ def _against_the_exact_orbit(orbit: Solution) -> Errors:
 
 
 def _neighbour(orbit: Solution, order: int, is_orbit: bool) -> tuple[Solution, Errors] | None:
-    """Return the orbit of the better method to which the times of an orbit lead, and how far.
+    """Return an orbit of higher order from the times of an orbit, and their difference.
 
-    Where the conditions of that method are singular, by its functions of class C^1.  What is
-    next to an orbit is one; anything else has to be admissible.
+    It is by the method `FIRST` or, if that does not converge, by its functions of class C^1.
+    A solution that is the same root as an orbit is one; any other must be admissible.
     """
     once = registry.class_one(orbit.case.scene, FIRST)
     for method in (FIRST, once) if orbit.method != once else (once,):
@@ -130,15 +130,15 @@ def _neighbour(orbit: Solution, order: int, is_orbit: bool) -> tuple[Solution, E
 
 
 def _same(change: Errors) -> bool:
-    """Whether two solutions are so near to each other that either is an orbit if one is."""
+    """Return whether the difference of two solutions is so small that they are one root."""
     return change.times <= SAME and change.discontinuous <= SAME_DERIVATIVE
 
 
 def condition(motion: Motion) -> float:
     """Return Skeel's condition number of the exact equations, near one of their solutions.
 
-    That of the time that answers most, as a part of the period: if each term is rounded by a
-    part e, no time moves by more than e times this; see `moved_times`.
+    The largest over all times, relative to the period: relative rounding errors e of each term
+    move no time by more than e times this; see `moved_times`.
 
     Examples
     --------

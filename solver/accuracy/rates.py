@@ -1,4 +1,4 @@
-"""How fast the errors of a sweep fall: a power of the order, or a factor with each order."""
+"""Rates of convergence of a sweep over orders: algebraic or geometric."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
@@ -8,15 +8,14 @@ import numpy as np
 
 from ..scenes.methods import about
 
-#: Orders above rounding that a fit takes at least, if nothing else is said.
+#: Least number of orders with errors above rounding for a fit, by default.
 FEWEST = 6
 
 #: Errors below these are rounding: of the times, and of the derivative that jumps.
 FLOORS = {"times": 1e-13, "discontinuous": 1e-12}
 
-#: Where the errors of a method by factors have come to so many times the least, over so many
-#: orders, and fall by less than this part of what they did: rounding of an orbit that answers
-#: strongly to it.
+#: Plateau of geometric errors, rounding of an ill-conditioned orbit: errors below `NEAR` times
+#: the least, over at least `MANY` orders, with a slope of less than `PART` of that before.
 NEAR, MANY, PART = 10.0, 5, 0.5
 
 TOO_FEW = "too few orders"
@@ -29,9 +28,9 @@ class Rate:
     Parameters
     ----------
     kind : {"power", "geometric"}
-        The error is ``N**-rate``, of a method with harmonics; or ``10**(-rate N)``.
+        The error is like ``N**-rate`` (methods with harmonics), or like ``10**(-rate N)``.
     times, discontinuous : float or None
-        The rate of each error, by least squares over the logarithms of all errors above
+        The rate of each error, by a least-squares fit of the logarithms of all errors above
         rounding; None if there are fewer than six.
     """
 
@@ -40,7 +39,7 @@ class Rate:
     discontinuous: float | None
 
     def text(self, name: str) -> str:
-        """Return one rate as it is printed."""
+        """Return one of the rates as text."""
         found: float | None = getattr(self, name)
         if found is None:
             return TOO_FEW
@@ -48,7 +47,7 @@ class Rate:
 
 
 def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
-    """Return the rate of a method from its orders and their errors by the names of `FLOORS`.
+    """Return the rate of a method from its orders and errors; the errors by names of `FLOORS`.
 
     Examples
     --------
@@ -74,20 +73,20 @@ def slope(
 ) -> float | None:
     """Return minus the slope of the logarithm of an error, by least squares.
 
-    None if fewer orders than `fewest` are above rounding.
+    None if fewer than `fewest` errors are above rounding.
 
     Parameters
     ----------
     errors : iterable of (int, float)
         Order and error.
     floor : float
-        Errors up to it are rounding, and left out; of a method by factors also those at the
-        end that do not fall any more.
+        Errors up to it are rounding, and left out; without `power`, a plateau at the end too.
     power : bool
-        Whether over the logarithm of the order, or over the order.
+        Whether the slope is over the logarithm of the order, or over the order.
     upper_half : bool
-        Whether to the upper half of that scale, but never to fewer orders than `fewest`.
+        Whether only the upper half of that scale is fitted, but at least `fewest` orders.
     fewest : int
+        Least number of orders.
 
     Examples
     --------
@@ -110,13 +109,13 @@ def slope(
 
 
 def _falling(orders: list[int], errors: dict[int, float]) -> list[int]:
-    """Return the orders up to which errors fall by factors; all, if they do to the last."""
+    """Return the orders before a plateau of the errors; all, if there is none."""
     near = NEAR * min((errors[order] for order in orders), default=0.0)
     first = next((i for i, order in enumerate(orders) if errors[order] <= near), 0)
     before, level = orders[: first + 1], orders[first:]
     if first == 0 or len(level) < MANY:
         return orders
-    falls = [
+    slopes = [
         np.polyfit(part, np.log([errors[q] for q in part]), 1)[0] for part in (before, level)
     ]
-    return orders[:first] if falls[1] > PART * falls[0] else orders
+    return orders[:first] if slopes[1] > PART * slopes[0] else orders
