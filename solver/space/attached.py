@@ -1,4 +1,4 @@
-"""A structure with numbers: checked parameters in SI units, and what is left of them."""
+"""A structure with numbers: checked parameters in SI units, and dimensionless quantities."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -14,17 +14,17 @@ from .eigenvalues.bracketing import EPS
 from .position import Integers, as_position, sines
 from .structure import Structure
 
-#: Sizes of dimensionless strengths beyond which rounding is not what is said of it.
+#: Range of the dimensionless strength in which estimates of rounding hold.
 LEAST, MOST = 1e-9, 1e9
 
-#: The nearest that it may be to an end, as a part of the length: nearer, sums over modes that
-#: hardly move there would take too many of them.
+#: Least distance of the attachment from an end, relative to the length: nearer, sums over modes
+#: would need too many of them.
 NEAREST = Fraction(1, 10_000)
 
 #: Margin of stability below which the rounding of the strength decides.
 LEAST_MARGIN = 4 * EPS
 
-#: Where the attachment is if nothing else is said.
+#: Default position of the attachment.
 POSITION = "3/10"
 
 
@@ -37,7 +37,7 @@ class Attached:
     values : mapping
         Its parameters in SI units, by name.
     a : Fraction
-        The place of the attachment, as a part of the length.
+        The place of the attachment, relative to the length.
     """
 
     structure: Structure
@@ -55,7 +55,7 @@ class Attached:
 
     @cached_property
     def static_sum(self) -> Fraction:
-        """The sum of ``r_n^2/mu_n``, of a compliance ``r_n^2/mu_n^2``, exactly."""
+        """The sum of ``r_n^2/mu_n``, or for a compliance ``r_n^2/mu_n^2``, exactly."""
         found: Fraction = self.structure.module.static_sum(self.a)
         return found
 
@@ -68,8 +68,8 @@ class Attached:
     def margin(self) -> float:
         """``1 + s S_1`` of a spring, rounded once: at 0 and below, the structure is unstable.
 
-        A unit load that works on the felt derivative moves it by ``S_1`` without the spring,
-        and by ``S_1/(1 + s S_1)`` with it; `static_sum` is ``S_1``.
+        The static compliance at the attachment is ``S_1``, `static_sum`, without the spring,
+        and ``S_1/(1 + s S_1)`` with it.
         """
         return float(1 + Fraction(self.s) * self.static_sum)
 
@@ -104,9 +104,9 @@ class Attached:
         return sines(n, self.a)
 
     def felt(self, n: Integers) -> Vector:
-        """Return ``r_n = phi_n^(j)(a)``: what the attachment feels of each bare mode.
+        """Return ``r_n = phi_n^(j)(a)``: derivative j of each bare mode at the attachment.
 
-        Zero, exactly, of modes with a node there (of a rotation, an antinode).
+        It is exactly zero for modes with a node there (for a rotation, an antinode).
         """
         j = self.structure.felt
         sine, cosine = self.sines(n)
@@ -119,7 +119,7 @@ class Attached:
         return (np.asarray(n, dtype=float) * np.pi) ** (2 * self.structure.m)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the structure and its numbers, as documents begin."""
+        """Return the first entries of documents: the structure and its numbers."""
         return {
             "structure": self.structure.name,
             "class": f"C{self.structure.k}",
@@ -130,13 +130,13 @@ class Attached:
 
     @property
     def about(self) -> dict[str, Any]:
-        """The same without the parameters, as tables have it."""
+        """The same without the parameters, for tables."""
         return {name: value for name, value in self.as_dict().items() if name != "parameters"}
 
     def described(self, varied: str = "") -> str:
-        """Return the parameters in one line, and the dimensionless strength.
+        """Return the parameters and the dimensionless strength in one line.
 
-        Without what is varied, and what follows from it.
+        The parameter `varied`, and numbers that depend on it, are left out.
         """
         listed = ", ".join(
             f"{q.symbol} = {self.values[q.name]:g}{f' {q.unit}' if q.unit else ''}"
@@ -151,12 +151,12 @@ class Attached:
 
 
 def attach(structure: Structure, position: object = POSITION, **given: float) -> Attached:
-    """Return a structure with its parameters; those not given are the defaults.
+    """Return a structure with its parameters; defaults for those not given.
 
     Raises
     ------
     ParameterError
-        With all mistakes at once.
+        With all errors at once.
     """
     errors, a = [], Fraction(1, 2)
     try:
@@ -187,14 +187,14 @@ def attach(structure: Structure, position: object = POSITION, **given: float) ->
 
 
 def _why_not(structure: Structure, name: str, value: object) -> str:
-    """Return what an attachment of nothing would mean."""
+    """Return a remark for a message, if an attachment of strength 0 is asked for."""
     if name != structure.attached.name or not is_number(value) or value != 0:
         return ""
     return f" (without the attachment beta L is n pi: it is the bare {structure.bare})"
 
 
 def _unstable(found: Attached) -> list[str]:
-    """Return what is wrong with a negative stiffness at which the structure is not stable."""
+    """Return the error of a negative stiffness at which the structure is unstable, if any."""
     structure, q = found.structure, found.structure.attached
     if structure.kind != "stiffness" or not np.isfinite(found.s):
         return []
@@ -207,7 +207,7 @@ def _unstable(found: Attached) -> list[str]:
 
 
 def _extremes(found: Attached) -> list[str]:
-    """Return what is beyond the range in which the digits are known."""
+    """Return the errors of numbers out of the range in which rounding is known."""
     errors = []
     with np.errstate(all="ignore"):
         length, order = np.float64(found.length), 2 * found.structure.m

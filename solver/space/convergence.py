@@ -1,4 +1,4 @@
-"""How fast the expansions converge: the errors of one mode over the orders, and rates."""
+"""Convergence of the expansions: the errors of one mode over the orders, and rates."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -16,13 +16,13 @@ from .eigenvalues.exact import ExactModes, exact_modes, of_frequency
 from .expansions.methods import bare_modes, check_order, shown
 from .expansions.shapes import Shape, jump_mismatch, shape_of
 
-#: Relative error of an eigenvalue below which rounding, and not the expansion, is seen.
+#: Relative errors of an eigenvalue below this are rounding.
 ROUNDING = 1e-14
 
-#: Panels of quadrature at least, of 20 points each: one for each half wave that is integrated.
+#: Least number of quadrature panels of 20 points each; one for each half wave.
 LEAST = 2
 
-#: Order from which a rate is fitted.
+#: Lowest order in the fit of a rate.
 FROM = 4
 
 
@@ -34,7 +34,7 @@ class Line:
     forced: int = 0
 
     def name(self, attached: Attached) -> str:
-        """Return it with the class of the structure: ``ritz-c1(2)``."""
+        """Return its name with the class of the structure: ``ritz-c1(2)``."""
         return shown(attached.structure, self.method, self.forced)
 
 
@@ -47,13 +47,15 @@ class ConvergenceRow:
     method : str
     forced, order, unknowns : int
     beta : float or None
-        None where the expansion has fewer modes.
+        None if the expansion has fewer modes.
     error : float or None
-        Of the frequency, relative.
+        Relative error of the frequency.
     eigenvalue_error : float or None
+        Relative error of the eigenvalue.
     shape, discontinuous : float or None
         Relative L2 error of the displacement, and of the first derivative that jumps.
     jump_mismatch : float or None
+        As in `Mode`.
     """
 
     method: str
@@ -94,7 +96,7 @@ class Convergence(Tabular):
     def rate(self, line: Line) -> float | None:
         """Return the fitted power of the order in the error of the eigenvalue.
 
-        Over the errors above rounding, from order `FROM` on; None of fewer than three.
+        From errors above rounding, of orders from `FROM` on; None for fewer than three.
         """
         points = [
             (row.order, row.eigenvalue_error)
@@ -105,7 +107,7 @@ class Convergence(Tabular):
         return None if falls is None else -falls
 
     def expected(self, line: Line) -> int | None:
-        """Return the power that the class and the forced modes say; None of ``ck``."""
+        """Return the power that theory predicts; None without one, as for ``ck``."""
         if line.method == "ck" or (
             self.attached.structure.kind == "compliance" and line.forced == 0
         ):
@@ -113,7 +115,7 @@ class Convergence(Tabular):
         return -self.attached.structure.rates[line.forced]
 
     def plot(self, ax: Any = None, quantity: str = "eigenvalue_error", **style: Any) -> Any:
-        """Draw one error against the unknowns, a line an expansion; return the axes.
+        """Draw one error against the unknowns, a line for each expansion; return the axes.
 
         See `nonsmooth.plots.modes.draw_convergence`.
         """
@@ -122,7 +124,7 @@ class Convergence(Tabular):
         return draw_convergence(self, ax, quantity, **style)
 
     def table(self) -> Table:
-        """Return the rows, each with its expansion as the pictures call it."""
+        """Return the rows, with names of expansions as in pictures."""
         rows = [asdict(row) for row in self.rows]
         for row in rows:
             row["method"] = Line(row["method"], row["forced"]).name(self.attached)
@@ -153,7 +155,7 @@ def convergence(
     number: int = 1,
     done: Callable[[str], None] = lambda words: None,
 ) -> Convergence:
-    """Return one mode by some expansions over some orders.
+    """Return the errors of one mode by several expansions over several orders.
 
     Parameters
     ----------
@@ -161,9 +163,9 @@ def convergence(
     lines : sequence of Line
     orders : iterable of int
     number : int
-        Of the mode, from 1.
+        Number of the mode, from 1.
     done : callable
-        Is told what has been computed.
+        Called with a message after each computation.
 
     Raises
     ------
@@ -188,6 +190,7 @@ def convergence(
 
 
 def _row(attached: Attached, line: Line, order: int, number: int) -> ConvergenceRow:
+    """Return the errors of one mode by one expansion at one order."""
     bare = bare_modes(attached, line.method, order, line.forced)
     head = ConvergenceRow(line.method, line.forced, order, bare.unknowns)
     if bare.count < number:

@@ -1,4 +1,4 @@
-"""One mode: its frequency, how far it is off, and its shape."""
+"""One mode: its frequency, its error, and its shape."""
 
 import math
 from collections.abc import Mapping
@@ -14,11 +14,11 @@ from ..scenes.parameter_error import whole
 from .attached import Attached
 from .expansions.shapes import Shape
 
-#: Columns by the order of the derivative, and their units; the last two of beams alone.
+#: Columns by the order of the derivative, and their units; the last two for beams only.
 COLUMNS = ("displacement", "slope", "moment", "shear_force")
 UNITS = ("kg^(-1/2)", "kg^(-1/2) m^-1", "kg^(-1/2) N", "kg^(-1/2) N m^-1")
 
-#: What the broken derivative is in mechanics, by the class.
+#: Names of the first discontinuous derivative, by the class.
 QUANTITIES = {0: "slope", 1: "moment", 2: "shear force"}
 
 
@@ -29,21 +29,21 @@ class Mode:
     Parameters
     ----------
     number : int
-        From 1, the lowest: that of the exact mode.
+        Number of the exact mode, from 1, the lowest.
     eigenvalue : float
         ``lambda = beta^(2m)``.
     exact_beta : float
-        Of the exact mode of this number.
+        beta of the exact mode of this number.
     error : float
         Frequency over the exact one, less one.
     bounds : tuple of (float or None)
-        Of the exact eigenvalue, proved; `low` is None where nothing is proved.
+        Proved bounds of the exact eigenvalue; the lower one is None if none is proved.
     node : int or None
-        The `n` of an exact mode ``sin(n pi x/L)`` with a node at the attachment (of a
-        rotation, an antinode), which does not feel it; else None.
+        The `n` of an exact mode ``sin(n pi x/L)`` with a node at the attachment (for a
+        rotation, an antinode), which does not affect it; else None.
     jump_mismatch : float or None
-        The jump at the attachment over that of its law, less one; None of a node.  It needs no
-        exact solution; -1 where the expansion has no jump.
+        The jump at the attachment over that of its law, less one; None for a node.  It needs no
+        exact solution, and is -1 if the expansion has no jump.
     """
 
     number: int
@@ -85,7 +85,7 @@ class Mode:
 
     @property
     def modal_mass(self) -> float:
-        """The mass in kg that moves with `shape`, what is attached included.
+        """The modal mass in kg of `shape`, including the attachment.
 
         ``int rho u^2 dx``, and of a mass ``m_0 u(a)^2``, of a rotary inertia ``J_0 u'(a)^2``.
         """
@@ -98,12 +98,12 @@ class Mode:
 
     @property
     def node_at_attachment(self) -> bool:
-        """Whether the exact mode does not feel the attachment."""
+        """Whether the attachment does not affect the exact mode."""
         return self.node is not None
 
     @property
     def proved_within(self) -> float | None:
-        """How far the frequency can be off, relative, by the bounds; None without both."""
+        """Bound of the relative error of the frequency; None without both bounds."""
         low, high = self.bounds
         return None if low is None else (math.sqrt(high) - math.sqrt(low)) / math.sqrt(low)
 
@@ -120,8 +120,8 @@ class Mode:
         Returns
         -------
         ndarray
-            In 1/m^derivative: the mean square of the displacement is one.  At the attachment
-            itself, the mean of both sides.
+            In 1/m^derivative: the mean square of the displacement is one.  At the attachment,
+            the mean of both sides.
 
         Raises
         ------
@@ -138,20 +138,20 @@ class Mode:
     def normalised(self, x: npt.ArrayLike, derivative: int = 0) -> Vector:
         """Return `shape` with a modal mass of 1 kg, in 1/(kg^(1/2) m^derivative).
 
-        Parameters and errors are those of `shape`.  ``omega^2`` is then the modal stiffness,
-        in N/m, and the products with forces are those of an oscillator of 1 kg.
+        Parameters and errors are those of `shape`.  ``omega^2`` is then the modal stiffness in
+        N/m, and products with forces are modal forces.
         """
         return np.asarray(self.shape(x, derivative) / math.sqrt(self.modal_mass))
 
     def moment(self, x: npt.ArrayLike) -> Vector:
         """Return the bending moment ``E I u''`` of a beam, in N.
 
-        For a displacement without a unit, as `shape` has it.
+        For the displacement `shape`, which has no unit.
 
         Raises
         ------
         ValueError
-            Of a string, which has none.
+            If it is a string, which has none.
         """
         return self._of_beam("moment", x, 2)
 
@@ -161,18 +161,19 @@ class Mode:
         Raises
         ------
         ValueError
-            Of a string, which has none.
+            If it is a string, which has none.
         """
         return self._of_beam("shear force", x, 3)
 
     def _of_beam(self, what: str, x: npt.ArrayLike, derivative: int) -> Vector:
+        """Return the bending stiffness of a beam times a derivative."""
         if self._attached.structure.m != 2:
             raise ValueError(f"{what}: a {self._attached.structure.bare} has none")
         return self._attached.restoring * self.shape(x, derivative)
 
     @property
     def quantity(self) -> str:
-        """What jumps at the attachment: slope, moment or shear force."""
+        """Name of the quantity that jumps at the attachment: slope, moment or shear force."""
         return QUANTITIES[self._attached.structure.k]
 
     def discontinuous(self, x: npt.ArrayLike) -> Vector:
@@ -218,7 +219,7 @@ class Shapes(Tabular):
         return np.linspace(0.0, self.attached.length, self.points)
 
     def table(self) -> Table:
-        """Return a row a mode and place; `moment` and `shear_force` of beams alone."""
+        """Return a row for each mode and place; `moment` and `shear_force` for beams only."""
         names = COLUMNS[: 2 * self.attached.structure.m]
         restoring = (1.0, 1.0, self.attached.restoring, self.attached.restoring)
         columns: dict[str, Any] = {

@@ -28,7 +28,7 @@ from .mode import Mode, Shapes
 from .structure import Structure, load
 from .tolerance import to_tolerance
 
-#: Method, order and number of modes where nothing else is said.
+#: Default method, order and number of modes.
 METHOD, ORDER, COUNT = "ritz-ck", 8, 6
 
 #: Most places of a table of shapes.
@@ -42,8 +42,11 @@ class Modes(Tabular, Sequence[Mode]):
     Parameters
     ----------
     forced : int
-        Forced modes beside the sines.
+        Number of forced modes added to the sines.
+    unknowns : int
+        Number of unknown coefficients.
     found : tuple of Mode
+        The modes.
     exact : ExactModes
         The exact modes of these numbers.
     """
@@ -100,13 +103,13 @@ class Modes(Tabular, Sequence[Mode]):
         Parameters
         ----------
         ax : matplotlib Axes, optional
-            Where to draw; default: new axes, with a legend.
+            Axes to draw in; by default new ones with a legend.
         quantity : {"shape", "discontinuous"}
             The displacement, or the first derivative that jumps: slope, moment or shear force.
         number : int
-            Of the mode, from 1.
+            Number of the mode, from 1.
         **style
-            Of the line, as `matplotlib.axes.Axes.plot` takes it.
+            Style of the line, as for `matplotlib.axes.Axes.plot`.
 
         Raises
         ------
@@ -120,7 +123,7 @@ class Modes(Tabular, Sequence[Mode]):
         return draw(self, ax, quantity, number=number, **style)
 
     def table(self) -> Table:
-        """Return a row a mode; `low` and `high` are the bounds of the exact eigenvalue."""
+        """Return a row for each mode; `low` and `high` are bounds of the exact eigenvalue."""
         rows = []
         for mode in self:
             row = mode.as_dict()
@@ -144,7 +147,7 @@ class Modes(Tabular, Sequence[Mode]):
 
     @property
     def _how(self) -> dict[str, Any]:
-        """How they were computed."""
+        """Method, order, forced modes and unknowns, for documents."""
         head = {"method": self.method, "order": self.order, "forced": self.forced}
         return head | {"unknowns": self.unknowns}
 
@@ -179,24 +182,25 @@ def modes(
     Parameters
     ----------
     structure : str or Attached
-        One of ``nonsmooth.structures()``; or what an earlier result has as ``attached``.
+        One of ``nonsmooth.structures()``, or ``attached`` of an earlier result.
     method : {"ritz-ck", "ritz", "ck"}
-        Sines and forced modes, sines alone, or functions of class C^k only; also spelled with
-        the class, as ``"ritz-c1"``.
+        Sines and forced modes, sines alone, or functions of class C^k only; names with the
+        class, such as ``"ritz-c1"``, are allowed.
     order : int, optional
-        N: the number of sines, or the degree on each side of the attachment; 8 if not given.
+        N: the number of sines, or the degree on each side of the attachment; 8 by default.
     forced : int, optional
-        With ``"ritz-ck"``: forced modes, 1 to 3; 1 if not given.
+        With ``"ritz-ck"``, the number of forced modes, 1 to 3; 1 by default.
     count : int, optional
-        How many modes; 6 if not given, or as many as there are.
+        The number of modes; by default 6, or all if there are fewer.
     tol : float, optional
-        In place of an order: the lowest whose frequencies are all within it, relative.  By
-        the proved bounds; of ``"ck"``, and where none is proved, by the error.
+        Relative tolerance of frequencies, in place of an order: the lowest order with all of
+        them within it is taken.  Errors are bounded by the proved bounds; with ``"ck"``, and
+        where none is proved, they are against the exact modes.
     position : str, float or Fraction
-        Of the attachment, as a part of the length: ``"3/10"`` or 0.3.
+        Position of the attachment, relative to the length: ``"3/10"`` or 0.3.
     **parameters : float
         In SI units: ``length``, ``bending_stiffness`` (of a beam) or ``tension`` (of a string),
-        ``mass_per_length``, and what is attached: ``stiffness``, ``mass``, ``inertia`` or
+        ``mass_per_length``, and that of the attachment: ``stiffness``, ``mass``, ``inertia`` or
         ``compliance``.
 
     Returns
@@ -207,7 +211,7 @@ def modes(
     Raises
     ------
     ValueError
-        If an argument is not one of these.
+        If an argument is not allowed.
     ToleranceNotMet
         If no order is within the tolerance.
 
@@ -244,7 +248,7 @@ def modes(
 
 
 def at_order(attached: Attached, method: str, order: int, K: int, count: int | None) -> Modes:
-    """Return the modes of a checked method at an order.
+    """Return the modes at an order, by a method and K forced modes that were checked.
 
     Raises
     ------
@@ -270,6 +274,7 @@ def _mode(
     attached: Attached, bare: BareModes, roots: secular.Roots, exact: ExactModes, i: int,
     low: float, high: float,
 ) -> Mode:  # fmt: skip
+    """Return mode `i` with its errors and bounds."""
     shape, eigenvalue = shape_of(attached, bare, roots, i), float(roots.values[i])
     mismatch = None if exact.untouched[i] else jump_mismatch(attached, shape, eigenvalue)
     return Mode(
@@ -286,4 +291,5 @@ def _mode(
 
 
 def _off(mode: Mode) -> float:
+    """Return the proved relative error of a frequency or, without one, the error."""
     return abs(mode.error) if mode.proved_within is None else mode.proved_within

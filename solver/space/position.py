@@ -1,4 +1,4 @@
-"""The place of the attachment, exactly: a fraction of the length, and sines at it."""
+"""The place of the attachment as an exact fraction of the length, and sines there."""
 
 import math
 import numbers
@@ -24,12 +24,12 @@ def as_fraction(text: str) -> Fraction:
         If it is neither, or too large for a float.
     """
     if "/" not in text and (rough := float(text)) in (0, math.inf):
-        return Fraction(rough)  # not with all the figures that an exponent can ask for
+        return Fraction(rough)  # not with all the digits that a huge exponent asks for
     return Fraction(text.replace(" ", ""))
 
 
 def as_position(value: object) -> Fraction:
-    """Return a place between the ends, as a part of the length, as the fraction that was meant.
+    """Return a position relative to the length as the exact fraction that was meant.
 
     Parameters
     ----------
@@ -66,9 +66,9 @@ def as_position(value: object) -> Fraction:
 
 
 def sines(numbers_: Integers, a: Fraction) -> tuple[Vector, Vector]:
-    """Return ``sin(n pi a)`` and ``cos(n pi a)``; zero where they are zero exactly.
+    """Return ``sin(n pi a)`` and ``cos(n pi a)``, with exact zeros.
 
-    The multiples ``pi p/Q`` are reduced in whole numbers, to the first eighth of a turn.
+    The multiples ``pi p/Q`` are reduced in integers to the first eighth of a turn.
     """
     P, Q = a.numerator, a.denominator
     p = np.asarray(numbers_).astype(object) * P % (2 * Q)

@@ -1,4 +1,4 @@
-"""Structures that were generated, in numbers."""
+"""Generated structures: their facts and closed forms."""
 
 import types
 from dataclasses import dataclass
@@ -12,12 +12,12 @@ _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated.space"
 
 
 class UnknownStructure(ValueError):  # noqa: N818  (named like the other errors of the package)
-    """There is no structure of the name that was given."""
+    """No structure has the name that was given."""
 
 
 @dataclass(frozen=True)
 class Structure:
-    """A bare structure with one thing attached, as it was generated.
+    """A bare structure with one attachment, as generated.
 
     Parameters
     ----------
@@ -27,15 +27,15 @@ class Structure:
     m : int
         Half the order of its equation.
     felt, broken : int
-        The derivative that the attachment feels, and the one that jumps.
+        Orders of the derivative that the attachment acts on, and of the first that jumps.
     kind : str
         ``"stiffness"``, ``"inertia"`` or ``"compliance"``.
     jump : int
-        Of the broken derivative under a unit load: 1 or -1.
+        Jump of the broken derivative under a unit load: 1 or -1.
     rates : tuple of int
-        Powers of 1/N of the error of an eigenvalue, for 0, 1, ... forced modes.
+        Powers of 1/N in the error of an eigenvalue, for 0, 1, ... forced modes.
     parameters : tuple of Parameter
-        The last is what is attached.
+        The last is that of the attachment.
     """
 
     name: str
@@ -62,17 +62,17 @@ class Structure:
 
     @property
     def attached(self) -> Parameter:
-        """The parameter that is attached."""
+        """The parameter of the attachment."""
         return self.parameters[-1]
 
     @property
     def most_forced(self) -> int:
-        """How many forced modes there are."""
+        """Number of forced modes available."""
         return len(self.rates) - 1
 
     @property
     def module(self) -> types.ModuleType:
-        """Its closed forms, imported when they are asked for."""
+        """The generated module of its closed forms."""
         return import_module(f"{_GENERATED}.{self.name.replace('-', '_')}")
 
 
@@ -87,7 +87,7 @@ def load(name: str) -> Structure:
     Raises
     ------
     UnknownStructure
-        Naming the nearest structure that there is.
+        Naming the structures with the nearest names.
     """
     known = names()
     wanted = name.replace("_", "-") if isinstance(name, str) else ""
@@ -99,5 +99,6 @@ def load(name: str) -> Structure:
 
 
 def _records() -> dict[str, dict[str, Any]]:
+    """Return the generated facts of all structures, by name."""
     found: dict[str, dict[str, Any]] = import_module(f"{_GENERATED}.structures").STRUCTURES
     return found

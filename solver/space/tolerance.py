@@ -5,7 +5,7 @@ from typing import TypeVar
 
 Found = TypeVar("Found")
 
-#: Orders that are tried, the lowest first.
+#: Orders that are tried, in this sequence.
 TRIED = (*range(1, 17), 20, 24, 28, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 1024, 4096)
 
 
@@ -20,16 +20,19 @@ def to_tolerance(
     tol: float,
     name: str,
 ) -> Found:
-    """Return what the lowest order has that is within a tolerance.
+    """Return the result of the lowest order of `TRIED` that is within a tolerance.
 
     Parameters
     ----------
     at_order : callable
-        What an order has; a ValueError where it has fewer modes than wanted.
+        Result of an order; raises a ValueError if it has fewer modes than wanted.
+    off : callable
+        Error of a result.
     orders : range
-        From the order that has enough modes, to the highest.
+        From the order that surely has enough modes to the highest.
+    tol : float
     name : str
-        Of the method, for the message.
+        Name of the method, for the message.
 
     Raises
     ------

@@ -1,1 +1,1 @@
-"""Eigenvalues: the attachment as a scalar equation, exact ones, proved bounds."""
+"""Eigenvalues with the attachment by a scalar equation; exact ones; proved bounds."""

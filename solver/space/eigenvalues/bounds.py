@@ -28,8 +28,8 @@ def above(roots: Roots) -> Vector:
 def below(attached: Attached, N: int, K: int, count: int) -> Vector:
     """Return lower bounds of the lowest eigenvalues, from N sines and K forced modes.
 
-    What is not bounded is NaN: eigenvalues beyond ``mu_(N+1)``, and all of a compliance
-    without a forced mode.
+    They are NaN where nothing is proved: beyond ``mu_(N+1)``, and for a compliance without
+    forced modes.
     """
     found = np.full(count, np.nan)
     bare = _with_radau_tail(attached, N, K)
@@ -43,7 +43,7 @@ def below(attached: Attached, N: int, K: int, count: int) -> Vector:
 
 
 def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
-    """Return modes whose receptance is not below the exact one; none if rounding forbids it."""
+    """Return modes with a receptance no smaller than the exact one; None if rounding wins."""
     sines = ritz(attached, N)
     compliant = attached.structure.kind == "compliance"
     if compliant and K == 0:
@@ -74,10 +74,9 @@ def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
 
 
 def _radau(moments: Vector) -> tuple[Vector, Vector]:
-    """Return nodes and weights of the quadrature on [0, 1] with a node at 1, that one first.
+    """Return nodes, descending, and weights of Gauss-Radau quadrature on [0, 1], a node at 1.
 
-    `moments` are those of the measure: integrals of 1, x, ..., shape (2 n + 1,) for n free
-    nodes, which are descending.
+    `moments`, shape (2 n + 1,) for n free nodes, are the integrals of 1, x, ... by the measure.
     """
     n = (len(moments) - 1) // 2
     if n == 0:

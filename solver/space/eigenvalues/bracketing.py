@@ -6,27 +6,27 @@ import numpy as np
 
 from ...arrays import Vector
 
-#: Steps: bisection alone takes a thousand to the least float, this some ten.
+#: Most steps; about ten are usual, bisection to the least float takes a thousand.
 STEPS = 1200
 
 EPS = float(np.finfo(float).eps)
 
 
 def bracketed(function: Callable[[Vector], Vector], end: Vector) -> Vector:
-    """Return a root between 0 and each `end`, to a rounding error of itself.
+    """Return a root between 0 and each `end`, to a relative rounding error.
 
     Parameters
     ----------
     function : callable
-        Takes a point a root, shape (n,), and returns the values there: of different signs at
-        0 and at the end; a value of 0 is a root.
+        Takes a point for each root, shape (n,), and returns the values there, which differ in
+        sign at 0 and at the end.
     end : ndarray, shape (n,)
-        The root itself where rounding has left the sign there that is at 0.
+        Other ends of the brackets; returned themselves if rounding has left no change of sign.
 
     Notes
     -----
     T. R. Chandrupatla, Adv. Eng. Software 28 (1997) 145-149: inverse quadratic interpolation
-    where three points are fit for it, else bisection.
+    if three points allow it, else bisection.
     """
     a, b = end.copy(), np.zeros_like(end)
     fa, fb = function(a), function(b)
@@ -53,7 +53,7 @@ def bracketed(function: Callable[[Vector], Vector], end: Vector) -> Vector:
 def _next(
     a: Vector, b: Vector, c: Vector, fa: Vector, fb: Vector, fc: Vector, room: Vector
 ) -> Vector:
-    """Return where between `a` and `b` the next points are."""
+    """Return the parameter t of the next points ``a + t (b - a)``."""
     with np.errstate(all="ignore"):
         xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
         fit = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)

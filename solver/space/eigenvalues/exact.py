@@ -1,9 +1,9 @@
-"""The exact eigenvalues: the characteristic equation, a bracket a root.
+"""The exact eigenvalues: the characteristic equation with a bracket for each root.
 
-The equation is that of `secular` with all modes, whose sum is the closed form that SymPy
-derived. Between two wave numbers ``n pi`` that are felt it is monotone; the unknown is the
-distance from the nearer one, and sines are taken from there, so that neither a weak attachment
-nor one near a node costs digits.
+The equation is that of `secular` with all modes; their sum is the closed form that SymPy
+derived.  It is monotone between successive wave numbers ``n pi`` of modes that the attachment
+affects.  The unknown is the distance from the nearer one, from which sines are computed too:
+neither a weak attachment nor one near a node costs digits.
 """
 
 import math
@@ -24,8 +24,8 @@ from .bracketing import EPS, bracketed
 if TYPE_CHECKING:
     from .secular import Roots
 
-#: Near zero and near an end the closed form cancels.  There, up to this mode, it is a sum over
-#: so many modes beyond twice its number, and so many terms of a power series for the rest.
+#: Near zero and near an end the closed form cancels.  There, for modes n up to `HIGHEST`, it is
+#: a sum over ``2 n + LEAST`` modes, and a power series of `TERMS` terms for the others.
 HIGHEST, LEAST, TERMS = 100, 4, 16
 
 
@@ -38,7 +38,7 @@ class ExactModes:
     n : ndarray of int, shape (count,)
     offset : ndarray, shape (count,)
     untouched : ndarray of bool, shape (count,)
-        Whether the mode is ``sin(n pi x)``, which the attachment does not feel.
+        Whether the mode is ``sin(n pi x)``, which the attachment does not affect.
     """
 
     attached: Attached
@@ -58,22 +58,22 @@ class ExactModes:
 
     @property
     def shifts(self) -> Vector:
-        """The eigenvalues less ``(n pi)^(2m)``, with all their digits."""
+        """The eigenvalues less ``(n pi)^(2m)``, without cancellation."""
         return _shift(self.n, self.offset, self.attached.structure.m)
 
     def error(self, roots: "Roots", i: int) -> float:
-        """Return the relative error of the `i`-th of some eigenvalues.
+        """Return the relative error of eigenvalue `i` of `roots`.
 
-        Where both are near the same eigenvalue of the bare structure, by their shifts.
+        Shifts from eigenvalues of the bare structure are compared, to avoid cancellation.
         """
         origin = self.attached.bare(self.n[i])
         off = (roots.origin[i] - origin) + (roots.shift[i] - self.shifts[i])
         return float(off) / float(self.eigenvalues[i])
 
     def shape(self, number: int, x: Vector, derivative: int) -> Vector:
-        """Return a derivative, up to ``2m - 1``, of a mode by its number; lengths are parts.
+        """Return a derivative, up to ``2m - 1``, of a mode at places relative to the length.
 
-        Its scale is any; at the attachment itself it is the mean of both sides.
+        The scale is arbitrary; at the attachment it is the mean of both sides.
         """
         x, i, structure = np.asarray(x, dtype=float), number - 1, self.attached.structure
         beta, most = self.beta[i], structure.most_forced
@@ -126,6 +126,7 @@ class _Sines:
 
 
 def _turned(sine: Vector, cosine: Vector, by: Vector) -> tuple[Vector, Vector]:
+    """Return sine and cosine of an angle that is increased."""
     return sine * np.cos(by) + cosine * np.sin(by), cosine * np.cos(by) - sine * np.sin(by)
 
 
@@ -147,7 +148,7 @@ def exact_modes(attached: Attached, count: int) -> ExactModes:
 
 
 def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers, Vector]:
-    """Return the nearer end of each bracket, and the distance from it."""
+    """Return the nearer end of the bracket of each root, and the root's distance from it."""
     half = (high - low) * np.pi / 2
     start = -1.0 if attached.raises else 1.0
     below = np.sign(_Equation(attached, low)(half)) != start
@@ -158,8 +159,8 @@ def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers,
 class _Equation:
     """The characteristic equation times the distance from the wave number at the origin.
 
-    Where that is 0, which is none, the equation itself, of a spring from its margin of
-    stability.
+    For the origin 0, which is no wave number, it is the equation itself; for a spring, written
+    with its margin of stability.
     """
 
     def __init__(self, attached: Attached, origin: Integers) -> None:
@@ -170,7 +171,7 @@ class _Equation:
 
     def __call__(self, offset: Vector) -> Vector:
         structure = self.attached.structure
-        # so small for none that limits have all their digits, and none is infinite
+        # in place of 0 an offset so small that the limit is exact, and finite
         offset = np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
         beta = self.origin * np.pi + offset
         factor = np.where(self.origin == 0, 1.0, offset)
@@ -181,7 +182,7 @@ class _Equation:
         return np.asarray(factor - self.attached.s * beta ** (2 * structure.m) * G)
 
     def _receptance(self, beta: Vector, offset: Vector) -> Vector:
-        """Return the receptance, of a compliance over lambda; from zero, less that at zero."""
+        """Return the receptance, for a compliance over lambda; from 0, less its value at 0."""
         module = self.attached.structure.module
         a, b = float(self.attached.a), float(1 - self.attached.a)
         q = _Sines(self.attached, self.origin, offset)
@@ -193,7 +194,7 @@ class _Equation:
         return found
 
     def _summed(self, offset: Vector) -> Vector:
-        """Return the same as a sum over modes, and a power series of what that leaves out."""
+        """Return the same as a sum over modes, with a power series for the other modes."""
         attached, n = self.attached, self.origin[self.sums]
         poles, weights, rest = _sum(attached, 2 * int(n.max()) + LEAST)
         shift = _shift(n, offset, attached.structure.m)
@@ -207,7 +208,7 @@ class _Equation:
 
 
 def _weights(attached: Attached, n: Integers) -> Vector:
-    """Return ``r_n^2``, of a compliance over ``mu_n``."""
+    """Return ``r_n^2``, for a compliance over ``mu_n``."""
     if attached.structure.kind == "compliance":
         return np.asarray(2 * attached.sines(n)[0] ** 2)
     return attached.felt(n) ** 2
@@ -215,6 +216,6 @@ def _weights(attached: Attached, n: Integers) -> Vector:
 
 @lru_cache(maxsize=16)
 def _sum(attached: Attached, last: int) -> tuple[Vector, Vector, Vector]:
-    """Return eigenvalues of bare modes, what is felt of them, and the series of the rest."""
+    """Return eigenvalues and weights of bare modes, and the power series of the others."""
     n = np.arange(1, last + 1)
     return attached.bare(n), _weights(attached, n), left_out(attached, last, TERMS).sums

@@ -1,20 +1,20 @@
-"""The attachment, put in as a scalar equation: every eigenvalue in its own bracket.
+"""The attachment as a scalar (secular) equation: every eigenvalue in its own bracket.
 
-With bare modes ``Lambda_i`` and what the attachment feels of them, ``r_i``, the eigenvalues are
-the roots of
+With eigenvalues ``Lambda_i`` of bare modes, and their derivatives ``r_i`` at the attachment,
+the eigenvalues are the roots of
 
     stiffness    1 + s sum r_i^2/(Lambda_i - lambda)                       = 0
     inertia      1 - s lambda sum r_i^2/(Lambda_i - lambda)                = 0
     compliance   1 - s lambda [h + sum Lambda_i r_i^2/(Lambda_i - lambda)] = 0
 
 each monotone between the ``Lambda_i``: the roots interlace with them, and none can be missed.
-A mode of which nothing is felt keeps its eigenvalue.  The unknown is the distance from the
-nearer end of the bracket, which keeps its digits however small it is.
+A mode with ``r_i = 0`` keeps its eigenvalue.  The unknown is the distance from the nearer end
+of the bracket, so that small shifts have all digits.
 
-A spring raises the eigenvalues: there is one above each ``Lambda_i``.  All else lowers them,
-a spring of negative stiffness as well, and the lowest is between 0 and ``Lambda_1``.  Of such a
-spring it goes to 0 with the margin of stability ``1 + s sum r_i^2/Lambda_i``, from which it is
-computed near 0:
+A spring raises the eigenvalues: there is one above each ``Lambda_i``.  Every other attachment,
+and a spring of negative stiffness, lowers them: the lowest is between 0 and ``Lambda_1``.  For
+such a spring it goes to 0 with the margin of stability ``1 + s sum r_i^2/Lambda_i``.  Near 0
+the equation is written with this margin:
 
     margin + s lambda sum r_i^2/(Lambda_i (Lambda_i - lambda)) = 0
 """
@@ -30,17 +30,23 @@ from ..position import Integers
 from .bracketing import EPS, bracketed
 from .exact import exact_modes
 
-#: Units of rounding by which each term, and each eigenvalue, may be off.
+#: Rounding error of each term, and of each eigenvalue, in units of `EPS`.
 ROUNDINGS = 4
 
 
 @dataclass(frozen=True)
 class Roots:
-    """Eigenvalues, in the order of the exact ones: ``origin + shift``; shape (n,) each.
+    """Eigenvalues ``origin + shift``, in the order of the exact ones; shape (n,) each.
 
-    The origin is the end of the bracket that is nearer, 0 or an eigenvalue of the bare
-    structure.  `untouched` says which of the bare modes it is, where the attachment feels
-    nothing of it, else -1; `rounding` by how much rounding may have moved it.
+    Parameters
+    ----------
+    origin, shift : ndarray
+        The nearer end of the bracket, 0 or an eigenvalue of the bare structure; and the
+        distance from it.
+    untouched : ndarray of int
+        The index of the bare mode, if the attachment does not affect it, else -1.
+    rounding : ndarray
+        Bounds of the rounding errors.
     """
 
     origin: Vector
@@ -55,7 +61,7 @@ class Roots:
 
 
 def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
-    """Return the lowest eigenvalues of a structure with its attachment, by bare modes."""
+    """Return the lowest eigenvalues of a structure with its attachment, from bare modes."""
     felt, unit = bare.felt != 0, ROUNDINGS * EPS
     kept, terms = np.flatnonzero(~felt)[:count], _Terms(bare, attached, felt)
     origin, shift = _coupled(terms, count)
@@ -73,10 +79,11 @@ def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
 
 
 def _order(attached: Attached, every: Roots, kept: Integers, count: int) -> Integers:
-    """Return the order of eigenvalues, those that are `kept` behind the others.
+    """Return the indices that sort eigenvalues like the exact modes.
 
-    That of the exact modes, for a root beside one that is kept may be on its other side.  The
-    lowest first where these are not so many of each kind.
+    In `every`, eigenvalues of modes that are `kept` come last.  A root near a kept one may be
+    on the wrong side of it, so the order is taken from the exact modes; it is ascending if
+    there are not enough of each kind.
     """
     exact, coupled = exact_modes(attached, count), len(every.values) - len(kept)
     same, node = np.cumsum(exact.untouched == 0), exact.n - 1
@@ -86,7 +93,7 @@ def _order(attached: Attached, every: Roots, kept: Integers, count: int) -> Inte
 
 
 class _Terms:
-    """An equation of those above: the poles ``Lambda_i``, and the numerators over them."""
+    """The equation of a structure: poles ``Lambda_i``, numerators over them, and constants."""
 
     def __init__(self, bare: BareModes, attached: Attached, felt: Vector) -> None:
         self.kind, self.s, self.raises = attached.structure.kind, attached.s, attached.raises
@@ -101,14 +108,14 @@ class _Terms:
 def _sensitivity(
     terms: _Terms, inexact: Vector, off: float, origin: Vector, shift: Vector
 ) -> Vector:
-    """Return the sum of the moduli of the terms over the slope of the equation.
+    """Return the condition of the roots: the sum of the moduli of terms over the slope.
 
-    Times the unit of rounding, this is how far each root moves if every term is off by that,
-    and every bare eigenvalue by so many of its units.
+    Times the unit of rounding, it bounds the change of each root if every term has one unit of
+    rounding, and every bare eigenvalue `inexact` units.
     """
     poles, weights, s = terms.poles, terms.weights, abs(terms.s)
     away = (poles[None, :] - origin[:, None]) - shift[:, None]
-    away = np.where(away == 0, EPS * poles, away)  # next to nothing is felt of that one
+    away = np.where(away == 0, EPS * poles, away)  # a pole with a negligible weight
     moduli = np.abs(weights / away)
     slopes, value = moduli / np.abs(away), origin + shift
     if terms.kind == "stiffness":
@@ -123,7 +130,7 @@ def _sensitivity(
 
 
 def _coupled(terms: _Terms, count: int) -> tuple[Vector, Vector]:
-    """Return origin and shift of the roots between the poles."""
+    """Return origin and shift of the roots between poles of modes that are affected."""
     poles, h = terms.poles, terms.h
     if poles.size == 0 and h <= 0:
         return np.empty(0), np.empty(0)
@@ -145,7 +152,7 @@ def _coupled(terms: _Terms, count: int) -> tuple[Vector, Vector]:
 
 
 def _beyond(terms: _Terms) -> float:
-    """Return a place above the highest root of a compliance, whose equation falls to -inf."""
+    """Return a number above the highest root of a compliance, whose equation falls to -inf."""
     poles, weights, h, s = terms.poles, terms.weights, terms.h, terms.s
     last = float(poles[-1]) if poles.size else 0.0
     step = max(last, 1 / (s * h))
@@ -157,7 +164,7 @@ def _beyond(terms: _Terms) -> float:
 class _Function:
     """The left sides of the equations, times the distance from the pole at the origin.
 
-    So it is smooth there; where the origin is 0 and not a pole, it is the equation itself.
+    The product is smooth there.  For the origin 0, which is no pole, it is the equation itself.
     """
 
     def __init__(self, terms: _Terms, origin: Vector) -> None:

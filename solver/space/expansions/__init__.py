@@ -1,1 +1,1 @@
-"""The expansions: each a set of modes of the bare structure, and what is felt of them."""
+"""The expansions: modes of the bare structure, with their derivatives at the attachment."""

@@ -1,4 +1,4 @@
-"""What an expansion makes of the bare structure, and the simplest one: sines, its modes."""
+"""Modes of the bare structure in an expansion, and the simplest ones: sines."""
 
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias
@@ -15,20 +15,20 @@ Values: TypeAlias = npt.NDArray[np.floating[Any]]
 
 
 class Shapes(Protocol):
-    """The functions behind bare modes."""
+    """The shape functions of bare modes."""
 
     def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
-        """Return a derivative of each mode, a row a mode, at places in units of the length.
+        """Return a derivative of each mode, as rows, at places relative to the length.
 
-        At the attachment itself the limit from a side, -1 or 1, or the mean of both.
+        At the attachment it is the limit from a side, -1 or 1, or for 0 the mean of both.
         """
 
     def hinge(self, x: Vector, derivative: int, side: int = 0) -> Vector:
-        """Return the same of the function with a unit jump, of a compliance."""
+        """Return the same for the function with a unit jump, which a compliance needs."""
 
 
 def joined(x: Vector, a: float, left: Values, right: Values, side: int = 0) -> Matrix:
-    """Return what is `left` before `a` and `right` behind it; at `a` as `Shapes` has it."""
+    """Return `left` for x < a and `right` for x > a; at a, by `side`, as in `Shapes`."""
     at_a = ((1 - side) * left + (1 + side) * right) / 2
     return np.asarray(np.where(x < a, left, np.where(x > a, right, at_a)))
 
@@ -37,27 +37,29 @@ def joined(x: Vector, a: float, left: Values, right: Values, side: int = 0) -> M
 class BareModes:
     """The modes of the bare structure in an expansion, mass-normalised, the lowest first.
 
-    The attachment enters by a scalar equation: none of the matrices behind these knows it,
-    however strong it is.
+    The attachment enters by a scalar equation only: the modes do not depend on its strength.
 
     Parameters
     ----------
     eigenvalues : ndarray, shape (P,)
     felt : ndarray, shape (P,)
-        ``r_i = psi_i^(j)(a)``; of a compliance, the inner product with the function that has
+        ``r_i = psi_i^(j)(a)``; for a compliance, the inner product with the function that has
         a unit jump.
     static_rest : float
-        Of a stiffness, what these modes leave of the sum of ``r_n^2/mu_n`` over all modes of
-        the structure: 0 where the static answer is one of their combinations.
+        For a stiffness, the sum of ``r_n^2/mu_n`` over all exact modes less that over these: 0
+        if the static response is one of their combinations.
     hinge_rest : float
-        Of a compliance, the mean square of what they leave of the function with a unit jump.
+        For a compliance, the mean square of the function with a unit jump less its projection
+        onto these modes.
     unknowns : int
-        How many unknown coefficients the expansion has.
+        Number of unknown coefficients of the expansion.
+    shapes : Shapes
+        Their shape functions.
     off : float
-        By how much the sum of ``r_i^2/(Lambda_i - lambda)`` may be off, at most, but for
-        the rounding of its terms.
+        Bound of the error of the sum of ``r_i^2/(Lambda_i - lambda)`` besides the rounding of
+        its terms.
     inexact : ndarray, shape (P,)
-        By how many units of rounding each eigenvalue may be off.
+        Rounding error of each eigenvalue in units.
     """
 
     eigenvalues: Vector
@@ -71,7 +73,7 @@ class BareModes:
 
     @property
     def count(self) -> int:
-        """How many modes there are with an attachment: a function with a jump brings one."""
+        """Number of modes with the attachment: a function with a jump adds one."""
         return len(self.eigenvalues) + (self.hinge_rest > 0)
 
 
@@ -95,7 +97,7 @@ class Sines:
 def ritz(attached: Attached, N: int) -> BareModes:
     """Return the bare modes of the expansion in N sines.
 
-    Of a compliance nothing is felt of any: sines have no jump in the slope.
+    A compliance does not affect them, for sines have no jump in the slope.
     """
     n, kind = np.arange(1, N + 1), attached.structure.kind
     rest = left_out(attached, N, 1) if kind == "stiffness" else None

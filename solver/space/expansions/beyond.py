@@ -1,14 +1,13 @@
-"""Sums of ``exp(i n theta)/n^p`` over the modes ``n > N``, with the digits of their own size.
+"""Sums of ``exp(i n theta)/n^p`` over ``n > N``, with full relative accuracy.
 
-A closed form less its first N terms has only what rounding leaves.  With ``v = N + 1`` and
-``n^-p`` as a Laplace integral the geometric series inside can be summed (the Lerch
-transcendent),
+A closed form less its first N terms would cancel.  With ``v = N + 1`` and ``n^-p`` as a Laplace
+integral, the geometric series inside can be summed (the Lerch transcendent):
 
     v^(1-p) E_p(-i v theta)
         + e^(i v theta) v^-p/(p-1)! int_0^inf x^(p-1) e^-x h(x/v - i theta) dx,
 
-``h(w) = 1/(1 - e^-w) - 1/w``: the pole of the kernel at 0 makes the exponential integral
-``E_p``, and what is left is smooth, the next poles being at ``2 pi i`` and ``-2 pi i``.
+``h(w) = 1/(1 - e^-w) - 1/w``.  The pole of the kernel at 0 gives the exponential integral
+``E_p``; the remainder is smooth, for its nearest poles are at ``2 pi i`` and ``-2 pi i``.
 """
 
 from functools import lru_cache
@@ -23,14 +22,14 @@ from ...arrays import Vector
 #: Values of exponentials.
 Complex: TypeAlias = npt.NDArray[np.complexfloating[Any, Any]]
 
-#: Terms up to this `n` are added one by one: beyond, the poles are 50 units of x away or more,
-#: and so many nodes leave rounding only.
+#: Terms up to n = `FIRST` are added one by one.  Beyond, the poles are at least 50 units of x
+#: away, and `NODES` quadrature nodes are exact to rounding.
 FIRST, NODES = 16, 14
 
-#: Where ``E_p`` is the recurrence from ``E_1``, and levels of its continued fraction elsewhere.
+#: Modulus below which ``E_p`` is by recurrence from ``E_1``; levels of its continued fraction.
 NEAR, LEVELS = 5.0, 40
 
-#: Units of rounding by which a sum may be off, as a part of ``v^(1-p)``.
+#: Error of a sum in units of rounding, relative to ``v^(1-p)``.
 ROUNDINGS = 100
 
 

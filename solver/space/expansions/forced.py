@@ -1,8 +1,8 @@
-"""Ritz with forced modes: sines, and functions of the class of the exact solution beside them.
+"""Ritz method with forced modes: sines, and functions ``g_q`` of the class of the exact modes.
 
-With the tails ``t_q = g_q`` less its first N sines the matrices of the bare structure are
-diagonal but for a block of the sums ``s_q``, and a small eigenproblem makes effective modes of
-it: the nodes of the Gauss quadrature of what the sines leave out.
+With the tails ``t_q``, g_q less its first N sines, the matrices of the bare structure are
+diagonal but for a block of sums ``s_q``.  The small eigenproblem of this block gives effective
+modes: the nodes of a Gauss quadrature of the modes that the sines leave out.
 """
 
 from collections.abc import Sequence
@@ -28,7 +28,7 @@ class ForcedModes:
     attached: Attached
 
     def values(self, q: int, x: Vector, derivative: int, side: int = 0) -> Vector:
-        """Return a derivative of ``g_q`` at places `x`; at `a` as `Shapes` has it."""
+        """Return a derivative of ``g_q`` at places `x`; at `a`, by `side`, as in `Shapes`."""
         x, a, structure = np.asarray(x, dtype=float), self.attached.a, self.attached.structure
         left = _odd_polynomial(_coefficients(structure, a)[q - 1], x, derivative)
         right = _odd_polynomial(_coefficients(structure, 1 - a)[q - 1], 1 - x, derivative)
@@ -36,11 +36,11 @@ class ForcedModes:
         return joined(x, float(a), left, right, side)
 
     def tail(self, q: int, N: int, x: Vector, derivative: int, side: int = 0) -> Vector:
-        """Return the same of ``g_q`` less its first N sines.
+        """Return a derivative of the tail: of ``g_q`` less its first N sines.
 
-        The sum of ``r_n/mu_n^q phi_n`` over ``n > N``, a product of two waves each, as that of
-        their sum and their difference.  Only the derivative of ``g_1`` that jumps, and those
-        above it, are the closed form less a sum: the other sum diverges.
+        It is the sum of ``r_n/mu_n^q phi_n`` over ``n > N``, whose products of two waves are
+        split into waves of sum and difference.  For the derivative of ``g_1`` that jumps, and
+        higher ones, this sum diverges: they are the closed form less N sines.
         """
         m, j = self.attached.structure.m, self.attached.structure.felt
         power = 2 * m * q - j - derivative
@@ -57,7 +57,7 @@ class ForcedModes:
 
 @lru_cache(maxsize=64)
 def _coefficients(structure: Structure, a: Fraction) -> tuple[tuple[float, ...], ...]:
-    """Return the coefficients of each forced mode left of `a`, from fractions."""
+    """Return the coefficients of each forced mode left of `a`, computed exactly."""
     rows = structure.module.forced_modes(a)
     return tuple(tuple(map(float, row)) for row in rows)
 
@@ -93,7 +93,7 @@ class WithForcedModes:
 
 
 def ritz_forced(attached: Attached, N: int, chosen: tuple[int, ...]) -> BareModes:
-    """Return the bare modes of N sines and the chosen forced modes, ascending; from 1."""
+    """Return the bare modes of N sines and the forced modes of ascending numbers `chosen`."""
     if not chosen:
         return ritz(attached, N)
     compliant = attached.structure.kind == "compliance"
@@ -113,7 +113,7 @@ def ritz_forced(attached: Attached, N: int, chosen: tuple[int, ...]) -> BareMode
 def _with_tails(
     sines: BareModes, attached: Attached, N: int, tails: tuple[int, ...]
 ) -> BareModes:
-    """Return the modes with the effective ones of the tails behind them."""
+    """Return the sines followed by the effective modes of the tails."""
     next_bare = float(attached.bare(np.array([N + 1]))[0])
     first = attached.structure.lowest_sum
     most = 2 * tails[-1]

@@ -1,4 +1,4 @@
-"""The three expansions by name, and what can be had of each."""
+"""The three expansions by name, and checks of their options."""
 
 from ...scenes.parameter_error import whole
 from ..attached import Attached
@@ -10,17 +10,17 @@ from .pieces import piecewise
 #: ``ritz``: sines; ``ritz-ck``: sines and forced modes; ``ck``: functions of class C^k only.
 METHODS = ("ritz", "ritz-ck", "ck")
 
-#: Highest orders: sines are sums, Legendre pieces dense matrices.
+#: Highest orders; those of ``ck`` need dense matrices.
 HIGHEST = {"ritz": 4096, "ritz-ck": 512, "ck": 100}
 
 
 def generic_method(structure: Structure, method: object) -> str:
-    """Return the generic name of a method, which may be spelled with the class.
+    """Return the generic name of a method whose name may contain the class.
 
     Raises
     ------
     ValueError
-        If there is none of this name.
+        If no method has this name.
     """
     if isinstance(method, str):
         wanted = method.replace(f"c{structure.k}", "ck")
@@ -31,18 +31,18 @@ def generic_method(structure: Structure, method: object) -> str:
 
 
 def shown(structure: Structure, method: str, forced: int = 0) -> str:
-    """Return the name of a method with the class: ``ritz-c1``, of two forced modes with (2)."""
+    """Return the name of a method with the class: ``ritz-c1``, or ``ritz-c1(2)``."""
     name = method.replace("ck", f"c{structure.k}")
     return f"{name}({forced})" if forced > 1 else name
 
 
 def check_forced(structure: Structure, method: str, forced: int | None) -> int:
-    """Return how many forced modes a method has.
+    """Return the number of forced modes, by default 1 for the method that has them.
 
     Raises
     ------
     ValueError
-        If there are not so many, or the method has none.
+        If there are fewer, or the method has none.
     """
     if method != "ritz-ck":
         if forced is not None:
@@ -57,19 +57,19 @@ def check_order(method: str, order: object) -> int:
 
 
 def bare_modes(attached: Attached, method: str, order: int, forced: int) -> BareModes:
-    """Return the bare modes of a method at an order, with so many forced modes."""
+    """Return the bare modes of a method at an order, with a number of forced modes."""
     if method == "ck":
         return piecewise(attached, order)
     return ritz_forced(attached, order, tuple(range(1, forced + 1)))
 
 
 def check_count(there_are: int, count: int | None, usual: int, method: str, order: int) -> int:
-    """Return how many modes are wanted: as usual, or as many as there are, without a number.
+    """Return the number of modes: `count`, or by default `usual` or all if there are fewer.
 
     Raises
     ------
     ValueError
-        If there are fewer.
+        If there are fewer than `count`.
     """
     if count is None:
         return min(usual, there_are)

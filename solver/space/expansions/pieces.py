@@ -1,9 +1,9 @@
 """Functions of class C^k only (Section 3.3): a polynomial on each side of the attachment.
 
-``u^(m)`` is a Legendre series on each segment, orthonormal, so that the stiffness matrix of
-the bare structure is the identity; integrated m times it gives ``u``, whose coefficients are a
-matrix ``U``, and the mass matrix is ``U^T U``. The singular values of ``U`` are the inverse
-square roots of the eigenvalues: the lowest keep all digits.
+``u^(m)`` is a series of orthonormal Legendre polynomials on each segment, so that the stiffness
+matrix of the bare structure is the identity.  Integrated m times it gives ``u`` with a matrix
+``U`` of coefficients, and the mass matrix is ``U^T U``.  The singular values of ``U`` are the
+inverse square roots of the eigenvalues: the lowest ones have full relative accuracy.
 """
 
 from collections.abc import Iterator
@@ -21,21 +21,21 @@ from .bare import BareModes, Values, joined
 
 @dataclass(frozen=True)
 class Pieces:
-    """Piecewise Legendre series: column by column the coefficients of some functions.
+    """Piecewise Legendre series of several functions.
 
     Parameters
     ----------
     lengths : tuple of float
-        Of the segments; each has its own digits, however short it is.
+        Lengths of the segments, each rounded by itself.
     coefficients : ndarray, shape (2, degree + 1, count)
-        Of the shifted Legendre polynomials of each segment.
+        Coefficients of shifted Legendre polynomials on each segment, a column a function.
     """
 
     lengths: tuple[float, float]
     coefficients: Values
 
     def combined(self, matrix: Matrix) -> "Pieces":
-        """Return combinations of the functions, a column each."""
+        """Return linear combinations of the functions, one for each column of a matrix."""
         return replace(self, coefficients=self.coefficients @ matrix)
 
     def mirrored(self) -> "Pieces":
@@ -44,7 +44,7 @@ class Pieces:
         return Pieces(self.lengths[::-1], sign * self.coefficients[::-1])
 
     def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
-        """Return a derivative at places `x`, a row a function; at `a` as `Shapes` has it."""
+        """Return a derivative at places `x`, a row for each function; see `Shapes`."""
         x, (a, b) = np.asarray(x, dtype=float), self.lengths
         before, behind = _derivative(self, derivative)
         left = legendre.legval(np.where(x < a, 2 * x / a - 1, 1.0), before)
@@ -74,7 +74,7 @@ class Pieces:
         return Pieces(self.lengths, found)
 
     def less_slope(self, slope: Vector) -> "Pieces":
-        """Return the functions less ``slope x``, of which the degree is 1 at least."""
+        """Return the functions, of degree 1 at least, less ``slope x``."""
         found, (a, b) = self.coefficients.copy(), self.lengths
         for part, h, middle in zip(found, (a, b), (a / 2, a + b / 2), strict=True):
             part[0] -= slope * middle
@@ -89,28 +89,28 @@ def _derivative(pieces: Pieces, derivative: int) -> Iterator[Matrix]:
 
 
 def _norms(lengths: tuple[float, float], size: int) -> Matrix:
-    """Return the norms of so many polynomials on each segment, shape (2, size)."""
+    """Return the norms of the polynomials on each segment, shape (2, size)."""
     squares = legendre_norm_squared(np.arange(size), np.array(lengths)[:, None])
     return np.asarray(np.sqrt(squares))
 
 
 def _hat(lengths: tuple[float, float]) -> Pieces:
-    """Return the function with slope ``-b`` before `a`, ``a`` behind it: a unit jump."""
+    """Return the function with slope ``-b`` left of `a` and ``a`` right of it: a unit jump."""
     a, b = lengths
     return Pieces(lengths, -a * b / 2 * np.array([[[1.0], [1.0]], [[1.0], [-1.0]]]))
 
 
 def piecewise(attached: Attached, N: int, continuity: int | None = None) -> BareModes:
-    """Return the bare modes of the series of functions of one class.
+    """Return the bare modes of piecewise polynomials of class C^k.
 
     Parameters
     ----------
     attached : Attached
     N : int
-        The degree of the derivative ``max(k + 1, m)`` on each segment.
+        The degree of the derivative of order ``max(k + 1, m)`` on each segment.
     continuity : int, optional
-        The class k; that of the structure if not given.  A higher one than the exact modes
-        have never converges to them.
+        The class k, by default that of the structure.  With a higher one the modes do not
+        converge to the exact ones.
     """
     structure = attached.structure
     m, k = structure.m, structure.k if continuity is None else continuity
@@ -164,7 +164,7 @@ def _orthonormal(attached: Attached, degree: int) -> Pieces:
 
 
 def _conditions(start: Pieces, m: int, k: int) -> list[Vector]:
-    """Return the rows that are zero of ``u^(m)``: continuity at `a`, and of a string, ends."""
+    """Return the rows of conditions on ``u^(m)``: continuity at `a`; for a string, its ends."""
     rows, at_a = [], np.array(start.lengths[:1])
     for derivative in range(k - m + 1):
         before, behind = (start.values(at_a, derivative, side)[:, 0] for side in (-1, 1))
@@ -175,7 +175,7 @@ def _conditions(start: Pieces, m: int, k: int) -> list[Vector]:
 
 
 def _nullspace(rows: list[Vector], size: int) -> Matrix:
-    """Return an orthonormal basis of what all rows are zero of."""
+    """Return an orthonormal basis of the null space of some rows."""
     if not rows:
         return np.eye(size)
     matrix = np.array([row / np.linalg.norm(row) for row in rows])

@@ -1,4 +1,4 @@
-"""The shape of a mode from its eigenvalue: what each bare mode has of it."""
+"""The shape of a mode from its eigenvalue, as a combination of bare modes."""
 
 import math
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from .bare import BareModes
 class Shape:
     """A mode shape with a mean square of one: coefficients of bare modes.
 
-    Of a compliance, `hinge` is that of the function with a unit jump.
+    `hinge` is the coefficient of the function with a unit jump, for a compliance.
     """
 
     bare: BareModes
@@ -26,7 +26,7 @@ class Shape:
     def values(self, x: Vector, derivative: int, side: int = 0) -> Vector:
         """Return a derivative at places `x` in units of the length.
 
-        At the attachment itself the limit from a side, -1 or 1, or the mean of both.
+        At the attachment it is the limit from a side, -1 or 1, or for 0 the mean of both.
         """
         x = np.asarray(x, dtype=float)
         found = self.coefficients @ self.bare.shapes.values(x, derivative, side)
@@ -36,19 +36,19 @@ class Shape:
 
 
 def shape_of(attached: Attached, bare: BareModes, roots: Roots, i: int) -> Shape:
-    """Return the shape of the `i`-th of some eigenvalues, rising where ``x = 0``."""
+    """Return the shape of eigenvalue `i` of `roots`, with a positive slope at ``x = 0``."""
     hinge = 0.0
     if roots.untouched[i] >= 0:
         found = np.zeros(len(bare.eigenvalues))
         found[roots.untouched[i]] = 1.0
     else:
         away = (bare.eigenvalues - roots.origin[i]) - roots.shift[i]
-        # rounding may put a root on a pole of which next to nothing is felt
+        # rounding may put a root on a pole with a negligible weight
         away = np.where(away == 0, EPS * bare.eigenvalues, away)
         found = bare.felt / away
         if attached.structure.kind == "compliance":
             found, hinge = found * float(roots.values[i]), 1.0
-    whole = found + hinge * bare.felt  # with what the function with a jump has of each mode
+    whole = found + hinge * bare.felt  # with the projection of the function with a jump
     scale = float(1 / np.sqrt(whole @ whole + hinge**2 * bare.hinge_rest))
     shape = Shape(bare, found * scale, hinge * scale)
     if shape.values(np.zeros(1), 1)[0] < 0:
@@ -57,10 +57,10 @@ def shape_of(attached: Attached, bare: BareModes, roots: Roots, i: int) -> Shape
 
 
 def jump_mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float | None:
-    """Return the jump over what the law of the attachment says it is, less one.
+    """Return the jump of a shape over that by the law of the attachment, less one.
 
-    Both are taken from the shape at the attachment.  An error that needs no exact solution;
-    -1 where the functions have no jump, None where the law is that there is none.
+    Both are of the shape at the attachment: an error that needs no exact solution.  It is -1 if
+    the functions have no jump, and None if the law demands none.
     """
     structure, a = attached.structure, np.array([float(attached.a)])
     before, behind = (shape.values(a, structure.broken, side)[0] for side in (-1, 1))

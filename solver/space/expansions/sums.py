@@ -12,16 +12,16 @@ from ..attached import Attached
 from ..eigenvalues.bracketing import EPS
 from .beyond import ROUNDINGS, beyond
 
-#: Modes that are summed one by one: at least, and at most; between them so many that the
-#: cosine in ``r_n^2`` makes this many turns, for before the first one it cancels the one.
+#: Number of modes that are summed one by one: at least, at most, and between them as many as
+#: the cosine in ``r_n^2`` needs for `TURNS` turns: before the first it nearly cancels the 1.
 FEWEST, MOST, TURNS = 1_000, 50_000, 4
 
 
 @dataclass(frozen=True)
 class LeftOut:
-    """Sums of ``r_n^2/mu_n^q`` over ``n > N``, of a compliance ``r_n^2/mu_n^(q+1)``.
+    """Sums of ``r_n^2/mu_n^q`` over ``n > N``, for a compliance ``r_n^2/mu_n^(q+1)``.
 
-    For q = 1, 2, ...; `error` says by how much the first may be off.
+    For q = 1, 2, ...; `error` bounds the error of the first.
     """
 
     sums: Vector
@@ -33,15 +33,15 @@ def left_out(attached: Attached, N: int, most: int) -> LeftOut:
     turns = TURNS / float(min(attached.a, 1 - attached.a))
     summed = int(min(max(FEWEST, turns), MOST))
     lower = attached.structure.lowest_sum
-    both = [_summed(attached, N, q + lower, N + summed) for q in range(most)]
-    return LeftOut(np.array([total for total, _ in both]), both[0][1])
+    with_errors = [_summed(attached, N, q + lower, N + summed) for q in range(most)]
+    return LeftOut(np.array([total for total, _ in with_errors]), with_errors[0][1])
 
 
 def _summed(attached: Attached, N: int, q: int, last: int) -> tuple[float, float]:
-    """Return the sum one by one and what it leaves, and how far off it may be.
+    """Return the sum over ``n > N``, and a bound of its error.
 
-    Beyond the last mode ``r_n^2`` is ``(n pi)^(2j) (1 -+ cos(2 pi n a))``: one, by the Hurwitz
-    zeta function, and a cosine.
+    Modes up to `last` are added one by one.  Beyond, ``r_n^2 = (n pi)^(2j) (1 -+ cos(2 pi n
+    a))``: the 1 is summed by the Hurwitz zeta function, the cosine by `beyond`.
     """
     weights, bare = _terms(attached, last)
     j = attached.structure.felt
@@ -57,5 +57,6 @@ def _summed(attached: Attached, N: int, q: int, last: int) -> tuple[float, float
 
 @lru_cache(maxsize=8)
 def _terms(attached: Attached, last: int) -> tuple[Vector, Vector]:
+    """Return ``r_n^2`` and ``mu_n`` for n up to `last`."""
     n = np.arange(1, last + 1)
     return attached.felt(n) ** 2, attached.bare(n)
