@@ -1,8 +1,8 @@
-"""Scene by expansion: the conditions that a motion with unknown switching times satisfies.
+"""The Galerkin conditions of a scene in an expansion, with unknown switching times.
 
-Input: a `Scene` and an expansion's functions on each phase.  Output: a `GalerkinConditions`,
-the rows in closed form with symbolic indices: orthogonality, continuity at the switches,
-events, period.  Every row is linear in the coefficients.
+Input: a `Scene` and the functions of an expansion on each phase.  Output: a
+`GalerkinConditions`, rows in closed form with symbolic indices: orthogonality, continuity at
+the switches, events, period.  Every row is linear in the coefficients.
 """
 
 from .condition import Block, Condition, GalerkinConditions, Times, cycles

@@ -1,6 +1,7 @@
-"""What joins the phases: continuity and jumps at the switches, events, memory, the period.
+"""The conditions that join the phases: continuity, jumps, events, memories, the period.
 
-For any expansion that says what displacement and derivatives are at both ends of each phase.
+They hold for any expansion that gives the derivatives of the displacement at both ends of each
+phase.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -11,15 +12,15 @@ from ..scene import Scene, Switch, forcing, v, x
 from .condition import Block, Condition, Times
 from .harmonics import equations
 
-#: ``(phase, order)``: a derivative of the displacement at an end of a phase.
+#: ``end(phase, order)``: a derivative of the displacement at one end of a phase.
 End = Callable[[int, int], sp.Expr]
 
-#: The name of the condition that stands in the place of the first event.
+#: The name of the condition that replaces the first event.
 START = "start"
 
 
 def one_sum(expression: sp.Expr) -> sp.Expr:
-    """Return an expression with its sums over the same index made one."""
+    """Return an expression in which sums over the same index are one sum."""
     expression = sp.expand_mul(expression)
     inside: dict[tuple[sp.Expr, ...], sp.Expr] = {}
     for part in sorted(expression.atoms(sp.Sum), key=sp.default_sort_key):
@@ -32,7 +33,7 @@ def one_sum(expression: sp.Expr) -> sp.Expr:
 
 
 def law(scene: Scene, p: int, end: End) -> sp.Expr:
-    """Return the velocity where phase `p` begins, from that at the end of the phase before."""
+    """Return the velocity at the begin of phase `p` by the jump law, from that before."""
     left, sign = _before(scene, p)
     return sign * sp.sympify(scene.phases[left].ends.jump.get(v, v)).subs(v, end(left, 1))
 
@@ -46,10 +47,10 @@ def differentiated(
     end: End,
     at: Callable[[int], sp.Expr],
 ) -> sp.Expr:
-    """Return what demands the jump of a derivative where phase `p` begins; `at` says when.
+    """Return a condition, zero, on the jump of a derivative where phase `p` begins.
 
-    It is the law of the velocity; from the second order on the equation of motion,
-    differentiated, to the right less to the left.
+    For order 1 it is the law of the velocity; for higher orders the equation of motion,
+    differentiated ``order - 2`` times, after the switch less before.  ``at(p)`` is the time.
     """
     if order == 1:
         return start(p, 1) - law(scene, p, end)
@@ -70,7 +71,7 @@ def differentiated(
 
 
 def _before(scene: Scene, p: int) -> tuple[int, int]:
-    """Return the phase before `p`, and what the motion is multiplied by between them."""
+    """Return the phase before `p`, and the sign of the motion across the switch."""
     return (p - 1, 1) if p else (len(scene.phases) - 1, scene.sign)
 
 
@@ -104,16 +105,16 @@ def joints(
 
 
 def events(scene: Scene, times: Times, end: End) -> Iterator[Condition]:
-    """Yield the event that ends each phase."""
+    """Yield the event at the end of each phase."""
     for p, phase in enumerate(scene.cell):
         yield _event(scene, times, p, end, f"event_{phase.name}", "")
 
 
 def events_after(scene: Scene, times: Times, start: End, end: End) -> Iterator[Condition]:
-    """Yield them of the state in which the next phase begins, but for a velocity that jumps.
+    """Yield the events in the state after the switch, except a velocity that jumps.
 
-    With the conditions of continuity these are the same equations, and each says directly in
-    which state a phase begins.
+    With continuity they are equivalent to `events`, and each prescribes the state in which a
+    phase begins.
     """
     for p, phase in enumerate(scene.cell):
 
@@ -127,6 +128,7 @@ def events_after(scene: Scene, times: Times, start: End, end: End) -> Iterator[C
 
 
 def _event(scene: Scene, times: Times, p: int, state: End, name: str, words: str) -> Condition:
+    """Return the event that ends phase `p`, in a given state."""
     phase = scene.cell[p]
     at = {x: state(p, 0), v: state(p, 1), forcing: times.forcing(times.start(p + 1))}
     return Condition(
@@ -137,7 +139,7 @@ def _event(scene: Scene, times: Times, p: int, state: End, name: str, words: str
 
 
 def begins(scene: Scene, start: End) -> Iterator[Condition]:
-    """Yield the state in which the first phase begins, where the scene says it: (9)."""
+    """Yield the condition on the begin of the first phase, if the scene states one: (9)."""
     for symbol, value in scene.start.items():
         order = (x, v).index(symbol)
         what = ("displacement", "velocity")[order]
@@ -147,7 +149,7 @@ def begins(scene: Scene, start: End) -> Iterator[Condition]:
 
 
 def period(times: Times) -> Iterator[Condition]:
-    """Yield that the cell is as long as the forcing makes it, if anything forces."""
+    """Yield the condition that a forced cell has the duration of the forcing."""
     if times.frequency is not None:
         yield Condition(
             "cell",
@@ -157,7 +159,7 @@ def period(times: Times) -> Iterator[Condition]:
 
 
 def memory(scene: Scene, times: Times, start: End) -> Iterator[Condition]:
-    """Yield what each memory is set to, in the state in which its phase begins."""
+    """Yield the condition that sets each memory, in the state at the begin of its phase."""
     names = [phase.name for phase in scene.phases]
     for q in scene.memory:
         p = names.index(q.at)
@@ -171,7 +173,7 @@ def memory(scene: Scene, times: Times, start: End) -> Iterator[Condition]:
 
 
 def memory_blocks(scene: Scene) -> Iterator[Block]:
-    """Yield the unknown values of the memory."""
+    """Yield the unknown memories."""
     for q in scene.memory:
         what = f"{q.what}, set where {q.at} begins"
         yield Block(q.symbol, sp.Integer(1), what)

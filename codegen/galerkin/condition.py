@@ -1,4 +1,4 @@
-"""The records that printing reads: times, unknowns, conditions and what they look up."""
+"""Records of the conditions for printing: times, unknowns, conditions and tables."""
 
 from dataclasses import dataclass
 
@@ -6,20 +6,19 @@ import sympy as sp
 
 from ..scene import Scene
 
-#: The order of the expansion; where only odd harmonics are there, their number.
+#: The order of the expansion; with odd harmonics only, their number.
 N = sp.Symbol("N", integer=True, positive=True)
 
-
+#: The phase of the forcing at the first switch.
 phi = sp.Symbol("phi", real=True)
 
-
-#: How many periods of the forcing the period is: a number of the case, odd in half a period.
+#: Number of periods of the forcing in the period, given by the case; odd if a cell is half one.
 cycles = sp.Symbol("cycles", integer=True, positive=True)
 
 
 @dataclass(frozen=True)
 class Times:
-    """Durations of the phases and, where something forces, the phase of the forcing.
+    """The unknown times: durations of the phases and, with forcing, its phase.
 
     Parameters
     ----------
@@ -28,7 +27,7 @@ class Times:
     frequency : Expr or None
         Angular frequency of the forcing.
     sign : int
-        -1 where the cell is half a period.
+        -1 if the cell is half a period, else 1.
     """
 
     durations: tuple[sp.Symbol, ...]
@@ -47,12 +46,12 @@ class Times:
         return self.durations if self.frequency is None else (*self.durations, phi)
 
     def start(self, p: int) -> sp.Expr:
-        """Return the time at which phase `p` begins; of the last, for the end of the cell."""
+        """Return the time at which phase `p` begins; for ``p = P`` the end of the cell."""
         return sp.Add(*self.durations[:p])
 
     @property
     def cell(self) -> sp.Expr:
-        """The length of a cell."""
+        """The duration of a cell."""
         return sp.Add(*self.durations)
 
     @property
@@ -62,12 +61,12 @@ class Times:
 
     @property
     def forced_cell(self) -> sp.Expr:
-        """The length of a cell as the forcing makes it, where there is one."""
+        """The duration of a forced cell by the frequency of the forcing."""
         turns = sp.pi if self.sign == -1 else 2 * sp.pi
         return turns * cycles / self.frequency
 
     def harmonic(self, index: sp.Expr) -> sp.Expr:
-        """Return the harmonic of an index: any, or odd where ``x(t + T/2) = -x(t)``."""
+        """Return the number of a harmonic by its index: odd if ``x(t + T/2) = -x(t)``."""
         return index if self.sign == 1 else 2 * index - 1
 
     def angle(self, time: sp.Expr) -> sp.Expr:
@@ -81,16 +80,16 @@ class Times:
 
 @dataclass(frozen=True)
 class Block:
-    """Unknown coefficients that stand together.
+    """A block of unknown coefficients.
 
     Parameters
     ----------
     symbol : Symbol or IndexedBase
         One unknown, or a family with an index.
     count : Expr
-        How many there are, in `N`.
+        Number of unknowns, as an expression in `N`.
     what : str
-        What it is, in a few words.
+        Their meaning in a few words.
     """
 
     symbol: sp.Expr
@@ -99,28 +98,28 @@ class Block:
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """Name of the symbol."""
         return str(self.symbol)
 
 
 @dataclass(frozen=True)
 class Condition:
-    """Rows of the system: one, or one for each value of an index.
+    """A condition ``expression = 0``: one row, or one for each value of an index.
 
     Parameters
     ----------
     name : str
-        What printing knows it by.
+        Key of the condition in printing.
     title : str
-        What it says.
+        Its meaning in words.
     expression : Expr
-        Zero; linear in the coefficients.  Sums over an index of a family stand as `Sum`.
+        Linear in the coefficients; sums over an index of a family are unevaluated `Sum`.
     index : Symbol, optional
-        Running from `first`.
+        Index of the rows, from `first` on.
     first, count : Expr
-        First value of the index, and number of rows, in `N`.
+        First value of the index, and number of rows, as expressions in `N`.
     number : str
-        Number in the paper.
+        Equation number in the paper.
     """
 
     name: str
@@ -133,7 +132,7 @@ class Condition:
 
     @property
     def where(self) -> str:
-        """The range of the index, for the reader."""
+        """The range of the index in words; empty without one."""
         if self.index is None:
             return ""
         return f"{self.index} = {self.first}, ..., {self.first + self.count - 1}"
@@ -143,20 +142,23 @@ class Condition:
 class GalerkinConditions:
     """A scene in one expansion: unknowns and conditions, in the order of the kernel.
 
-    A `ValueError` is raised if there are not as many conditions as unknowns.
-
     Parameters
     ----------
     scene : Scene
     method : str
-        Of the expansion, such as ``"ck-tau"``; behind a comma, how many functions it has.
+        Name of the expansion, such as ``"ck-tau"``; after a comma, its number of functions.
     title : str
-        What the expansion is, for the heading.
+        The expansion in words, for the heading.
     blocks : tuple of Block
-        The coefficients, in their order; the times follow.
+        The coefficients in order; the times follow.
     times : Times
         The unknown times.
     conditions : tuple of Condition
+
+    Raises
+    ------
+    ValueError
+        If the numbers of conditions and unknowns differ.
     """
 
     scene: Scene
@@ -175,17 +177,17 @@ class GalerkinConditions:
 
 @dataclass(frozen=True)
 class Table:
-    """What conditions look up, and what it is.
+    """A quantity that conditions use, with its definition.
 
     Parameters
     ----------
     entry : Indexed or Symbol
-        With its indices free.
+        The quantity, with free indices.
     title : str
     sides : tuple of Expr
-        What it is equal to, from its definition to its closed form.
+        Expressions equal to it, from the definition to the closed form.
     where : str
-        The range of the indices, for the reader.
+        The range of the indices in words.
     """
 
     entry: sp.Expr
@@ -196,14 +198,14 @@ class Table:
 
 @dataclass(frozen=True)
 class BodyConditions(GalerkinConditions):
-    """The conditions of a body, each linear in the coefficients by way of its tables.
+    """The conditions of a body, each linear in the coefficients and in entries of tables.
 
     Parameters
     ----------
     expansion : tuple of Table
-        What the forces are.
+        The expansions of the forces.
     tables : tuple of Table
-        In an order in which each needs those before it alone.
+        In an order in which each depends only on earlier ones.
     """
 
     expansion: tuple[Table, ...] = ()

@@ -1,7 +1,7 @@
-"""Harmonics of contact forces: what a pole, ``z' = s z + f``, makes of a wave.
+"""Harmonics of contact forces: the response of a pole, ``z' = s z + f``, to a wave.
 
-Its answer to ``f = e^(i omega t)``, the solution of that equation, is at the same time what its
-integral with another wave is made of: by parts,
+The amplitude of the response to ``f = e^(i omega t)`` also gives the integral of z with a wave,
+by parts:
 
     ``int e^(-i omega t) z = (int e^(-i omega t) f - [e^(-i omega t) z])/(i omega - s)``.
 

@@ -1,26 +1,28 @@
-"""The force series: what a pole answers to a contact force in Legendre polynomials.
+"""The force series: the response of a pole to a contact force in Legendre polynomials.
 
-A body answers by its poles, ``z' = s z + force``.  On a phase of duration tau, with
-``kappa = s tau`` and the force ``sum l_n P_n*(u)``, two integrals say all:
+The motion of a body is by its poles, ``z' = s z + force``.  On a phase of duration tau, with
+``kappa = s tau`` and the force ``sum l_n P_n*(u)``, two integrals are needed:
 
     ``a_m(kappa) = int_0^1 P_m*(u) e^(kappa u) du``
     ``Z_mn(kappa) = int_0^1 P_m*(u) int_0^u e^(kappa (u - y)) P_n*(y) dy du``
 
-Of the first, recurrences follow from two facts of Legendre polynomials,
+Recurrences for the first follow from two identities of Legendre polynomials,
 
     ``(P_(n+1)* - P_(n-1)*)' = 2 (2 n + 1) P_n*``,
     ``(2 u - 1) P_n* = ((n + 1) P_(n+1)* + n P_(n-1)*)/(2 n + 1)``,
 
-the first by parts, where the difference vanishes at both ends, the second for the rates.
+the first by integration by parts, as the difference vanishes at both ends; the second for
+derivatives by kappa.
 
-The inner integral of the second is ``b_n(kappa) e^(kappa u)`` and a polynomial of degree n, to
-which ``P_m*`` is orthogonal for m > n.  So ``Z_mn = a_m b_n`` there; ``y -> 1 - u`` gives
-``Z_nm = (-1)^(m + n) Z_mn``, and parts give the diagonal from its neighbours.
+The inner integral of the second is ``b_n(kappa) e^(kappa u)`` plus a polynomial of degree n, to
+which ``P_m*`` is orthogonal for m > n.  So ``Z_mn = a_m b_n`` for m > n.  The substitution
+``y -> 1 - u`` gives ``Z_nm = (-1)^(m + n) Z_mn``, and integration by parts the diagonal from
+its neighbours.
 
-``a_m`` falls with m like ``kappa^m``, and ``b_n`` rises as fast.  Up to ``|kappa|`` of twice
-the highest degree both are found without these powers: ``a_m = w_m A_m`` downwards, which is
-stable, and ``b_n = B_n/((2 n + 1) w_n kappa)`` upwards, where w_m is the product of the
-weights ``kappa/(2 (2 m + 1))``.
+``a_m`` decreases with m like ``kappa^m``, and ``b_n`` increases as fast.  For ``|kappa|`` up to
+twice the highest degree both are computed without these powers: ``a_m = w_m A_m`` by downward
+recurrence, which is stable, and ``b_n = B_n/((2 n + 1) w_n kappa)`` by upward recurrence, where
+w_m is the product of the weights ``kappa/(2 (2 m + 1))``.
 """
 
 from collections.abc import Iterator
@@ -30,13 +32,13 @@ import sympy as sp
 
 kappa, before, here, after = sp.symbols("kappa before here after")
 
-#: e^kappa, and 1/kappa: what takes long is computed once.
+#: e^kappa, and 1/kappa, which are computed once.
 grown, inverse = sp.symbols("grown inverse")
 m, n = sp.symbols("m n", integer=True, nonnegative=True)
 
 
 class Formula(NamedTuple):
-    """One formula: the name of its function, its arguments, what it is, its value."""
+    """A closed form: name of its function, arguments, meaning in words, value."""
 
     name: str
     arguments: tuple[sp.Symbol, ...]
@@ -45,7 +47,7 @@ class Formula(NamedTuple):
 
 
 def formulas() -> Iterator[Formula]:
-    """Yield the recurrences of both integrals, and of their rates.
+    """Yield the recurrences of both integrals, and of their derivatives by kappa.
 
     Examples
     --------
@@ -64,8 +66,8 @@ def formulas() -> Iterator[Formula]:
     by_parts = 2 * (2 * m + 1) * here + kappa * (unknown - before)
     (up,) = sp.solve(by_parts, unknown)
     words = "``a_(m+1)`` from ``a_(m-1)`` and ``a_m``, by 1/kappa"
-    more = before + sp.factor(up - before).subs(kappa, 1 / inverse)
-    yield Formula("next_moment", (m, inverse, before, here), words, more)
+    value = before + sp.factor(up - before).subs(kappa, 1 / inverse)
+    yield Formula("next_moment", (m, inverse, before, here), words, value)
     rate = (here + _shifted(m, before, after)) / 2
     words = "the derivative of ``a_m`` by kappa, from its neighbours"
     yield Formula("moment_rate", (m, before, here, after), words, rate)
@@ -78,7 +80,7 @@ def formulas() -> Iterator[Formula]:
 
 
 def _answers() -> Iterator[Formula]:
-    """Yield what a force leaves behind, ``b_n``, and the second integral by that."""
+    """Yield the recurrence of ``b_n``, and the second integral from it."""
     # int_0^u e^(kappa (u - y)) dy = (e^(kappa u) - 1)/kappa, and of (2 y - 1) by parts
     yield Formula("answer_0", (kappa,), "``b_0``", 1 / kappa)
     words = "``b_1`` from ``b_0``"
@@ -95,7 +97,7 @@ def _answers() -> Iterator[Formula]:
 
 
 def _weighted(up: sp.Expr) -> Iterator[Formula]:
-    """Yield the same of ``A_m`` and ``B_n``, from the recurrence of ``a_m``."""
+    """Yield the recurrences of ``A_m`` and ``B_n``, from that of ``a_m``."""
     weight = kappa / (2 * (2 * m + 1))
     yield Formula("weight", (m, kappa), "``w_m`` over ``w_(m-1)``", weight)
     ratios = {here: weight * here, after: weight * weight.subs(m, m + 1) * after}
@@ -118,5 +120,5 @@ def _weighted(up: sp.Expr) -> Iterator[Formula]:
 
 
 def _shifted(m: sp.Expr, before: sp.Expr, after: sp.Expr) -> sp.Expr:
-    """Return ``(2 u - 1) P_m*`` by what stands for the neighbours of ``P_m*``."""
+    """Return ``(2 u - 1) P_m*`` from symbols for ``P_(m-1)*`` and ``P_(m+1)*``."""
     return ((m + 1) * after + m * before) / (2 * m + 1)

@@ -1,8 +1,8 @@
 """A motion as a Fourier series: inner products of harmonics, phase by phase, in closed form.
 
-Over a cell whose phases have different coefficients, ``int w(t) cos(k omega_0 t) dt`` with the
-weight w constant on each phase is one table for each coefficient of the equation of motion.
-Products of harmonics are sums of harmonics, so every entry is a combination of two values.
+For each coefficient w of the equation of motion, constant on each phase, the integrals
+``int w(t) cos(k omega_0 t) dt`` over the cell are a table.  Products of harmonics are sums of
+harmonics, so every inner product is a combination of two entries.
 """
 
 from collections.abc import Mapping
@@ -19,16 +19,16 @@ angle = sp.Symbol("angle", real=True)
 a, b = sp.IndexedBase("a", real=True), sp.IndexedBase("b", real=True)
 a0 = sp.Symbol("a0", real=True)
 
-#: The coefficients of an equation of motion, by which the tables are named, and the power of
-#: ``omega_0`` that goes with the derivative that each multiplies.
+#: The coefficients of an equation of motion, after which the tables are named, and the order of
+#: the derivative that each multiplies: the power of ``omega_0`` in its table.
 POWERS = {"m": 2, "c": 1, "k": 0, "f": 0, "g": 0}
 
 
 def equations(scene: Scene, memory: tuple[sp.Symbol, ...] = ()) -> tuple[LinearPhase, ...]:
-    """Return the equation of motion of each phase; that of a held one times the mass.
+    """Return the equation of motion of each phase.
 
-    A constraint holds its velocity, so its residual is ``m x''``, comparable with the others.
-    A memory, which is unknown, is part of the constant force, but for those given.
+    The residual of a held phase is ``m x''``, in the unit of the others.  Memories that are not
+    given are part of the constant force.
     """
     free = [linear_phase(phase, memory) for phase in scene.cell if phase.held is None]
     none = sp.Integer(0)
@@ -39,9 +39,9 @@ def equations(scene: Scene, memory: tuple[sp.Symbol, ...] = ()) -> tuple[LinearP
 
 
 def beta(n: sp.Expr, u: sp.Expr, sign: int) -> sp.Expr:
-    """Return ``beta_n`` of `codegen.expansions.hb_ck` at ``u`` from 0 to 1.
+    """Return ``beta_n(u)`` of `codegen.expansions.hb_ck` for ``u`` from 0 to 1.
 
-    With a symbol for n, which is not 0 then, the polynomial stays unevaluated.
+    For a symbolic n, other than 0, the polynomial is not evaluated.
     """
     if sign == 1:
         return -sp.bernoulli(n, u) / sp.factorial(n) if n else sp.Integer(-1)
@@ -50,14 +50,14 @@ def beta(n: sp.Expr, u: sp.Expr, sign: int) -> sp.Expr:
 
 @dataclass(frozen=True)
 class Harmonics:
-    """The harmonics of a motion, and integrals of them in entries of tables.
+    """The harmonics of a motion, and their integrals in terms of tables.
 
     Parameters
     ----------
     times : Times
     weights : mapping of str to tuple of Expr
-        The coefficients of the equation of motion on each phase: those of `POWERS` by their
-        names, then that of each memory.
+        The coefficients of the equation of motion on each phase, by name: those of `POWERS`,
+        then that of each memory.
     memory : tuple of Symbol
     """
 
@@ -82,15 +82,14 @@ class Harmonics:
 
     @property
     def odd(self) -> bool:
-        """Whether only odd harmonics are there."""
+        """Whether only odd harmonics occur."""
         return self.times.sign == -1
 
     def over_cell(self, name: str, product: sp.Expr) -> sp.Expr:
-        """Return the integral of a weight times a product of harmonics, from its tables.
+        """Return the integral over the cell of a weight times a product of harmonics.
 
-        Those of m and c have the power of ``omega_0`` in them.
-
-        `product` is in ``sin(number * angle)`` and ``cos(number * angle)``.
+        It is in entries of the tables of the weight; those of m and c include their power of
+        ``omega_0``.  `product` is in ``sin(number * angle)`` and ``cos(number * angle)``.
         """
         if not any(self.weights[name]):
             return sp.Integer(0)
@@ -115,7 +114,7 @@ class Harmonics:
     def force_by(self, test: sp.Expr) -> sp.Expr:
         """Return the inner product of constant force and forcing with a test function.
 
-        The forcing is the harmonic of as many periods as there are in the period.
+        The forcing is harmonic number `cycles`.
         """
         total = self.over_cell("f", test)
         for symbol in self.memory:

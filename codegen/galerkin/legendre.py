@@ -1,8 +1,8 @@
 """A phase in shifted Legendre polynomials: acceleration, velocity and displacement.
 
 On a phase of duration s, with ``u = (t - t_p)/s`` from 0 to 1, the acceleration is
-``sum d_n P_n*(u)``; velocity and displacement are integrated from the state in which the phase
-begins.  What integrating does to the coefficients follows from one fact,
+``sum d_n P_n*(u)``; velocity and displacement are integrated from the state at its begin.  The
+coefficients of integrals follow from one identity,
 
     int_0^u P_n* = (P_(n+1)* - P_(n-1)*)/(2 (2 n + 1)),     P_(-1)* = -P_0*,
 
@@ -13,8 +13,8 @@ The forcing has the moments
     ``mu_l(kappa, theta) = int_0^1 P_l*(u) cos(kappa u + theta) du``
     ``= Re[i^l exp(i (theta + kappa/2))] j_l(kappa/2)``
 
-with the spherical Bessel function j_l.  Their derivatives stay in the family: with ``nu_l`` a
-quarter turn on, ``nu_l(kappa, theta) = mu_l(kappa, theta + pi/2)``,
+with the spherical Bessel function j_l.  Their derivatives are moments again: with
+``nu_l(kappa, theta) = mu_l(kappa, theta + pi/2)``,
 
     ``d mu_l/d theta = nu_l``
     ``d mu_l/d kappa = [nu_l + ((l + 1) nu_(l+1) + l nu_(l-1))/(2 l + 1)]/2``.
@@ -40,7 +40,7 @@ def integrated(series: Coefficient, l: sp.Expr) -> sp.Expr:
 
 
 def repeated_integral(l: sp.Expr, times: int) -> dict[sp.Expr, sp.Expr]:
-    """Return ``P_l*``, integrated from 0 several times, in Legendre polynomials by degree."""
+    """Return the repeated integral of ``P_l*`` from 0, as weights of Legendre polynomials."""
     series: dict[sp.Expr, sp.Expr] = {l: sp.Integer(1)}
     for _ in range(times):
         result: dict[sp.Expr, sp.Expr] = {}
@@ -72,11 +72,11 @@ class PhaseSeries:
     Parameters
     ----------
     duration, displacement, velocity : Symbol
-        Duration, and the state in which the phase begins.
+        Duration, and the state at the begin of the phase.
     acceleration : IndexedBase or None
-        The ``d_n``; None where a constraint holds the velocity.
+        The ``d_n``; None if a constraint holds the velocity.
     count : Expr
-        How many ``d_n`` there are, in the order.
+        Number of the ``d_n``, as an expression in the order.
     """
 
     duration: sp.Symbol
@@ -129,8 +129,8 @@ class PhaseSeries:
     def _derivative(self, q: sp.Expr, at_end: bool) -> sp.Expr:
         """Return the q-th derivative of the acceleration at an end of the phase.
 
-        That of ``P_n*`` by u at 1 is ``(n + q)!/(q! (n - q)!)``, at 0 as much with the sign
-        of ``n + q``.
+        That of ``P_n*`` by u is ``(n + q)!/(q! (n - q)!)`` at 1, and ``(-1)^(n + q)`` times
+        this at 0.
         """
         if self.acceleration is None:
             return sp.Integer(0)
@@ -147,9 +147,9 @@ class Moments:
     Parameters
     ----------
     symbol, turned : IndexedBase
-        The moments, and those a quarter turn on.
+        The moments ``mu_l``, and ``nu_l`` with ``theta + pi/2``.
     kappa, theta : Expr
-        What the angle of the forcing gains in the phase, and where it begins.
+        The change of the angle of the forcing in the phase, and the angle at its begin.
     """
 
     symbol: sp.IndexedBase

@@ -1,13 +1,13 @@
 """A motion that is a polynomial on each phase, of class C^k at the switches.
 
-Input: a scene, the functions that an expansion tests the residual with, and the polynomials
-that these do not see.
-Output: `derive`, the conditions.  The acceleration of a phase is a series of shifted Legendre
-polynomials, so the derivative of order k + 1 has degree N, as in (15) of the paper.
+Input of `derive`: a scene, the test functions of an expansion, and the polynomials that are
+orthogonal to these.  Output: the conditions.  The acceleration of a phase is a series of
+shifted Legendre polynomials, so the derivative of order k + 1 has degree N, as in (15) of the
+paper.
 
-A residual that is orthogonal to some polynomials is a combination of the others that are
-orthogonal to them (the tau method of Lanczos).  So a condition is that a coefficient of the
-residual is that of this combination: rows of few entries, whatever the test functions.
+A residual that is orthogonal to all test functions is a combination of the polynomials that are
+(the tau method of Lanczos).  So each condition says that a Legendre coefficient of the residual
+is that of this combination: rows of few entries, whatever the test functions.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -28,19 +28,19 @@ Test = Callable[[sp.Expr, int], Mapping[sp.Expr, sp.Expr]]
 #: orthogonal to all test functions of index below m.
 Rest = Callable[[sp.Expr, sp.Expr, int], sp.Expr]
 
-#: Highest degree of what is checked to be orthogonal to the tests.
+#: Highest degree up to which orthogonality to the tests is checked.
 CHECKED = 4
 
-#: Degrees of the residual that have terms of their own: the state in which a phase begins.
+#: Degrees of the residual with terms of the state at the begin of the phase.
 STATE = 2
 
 
 def series(scene: Scene, times: Times, found: tuple[Switch, ...]) -> tuple[PhaseSeries, ...]:
     """Return the trial function on each phase: ``N + k`` coefficients of the acceleration."""
-    made = []
+    trial = []
     for phase, duration, switch in zip(scene.phases, times.durations, found, strict=True):
         held = phase.held is not None
-        made.append(
+        trial.append(
             PhaseSeries(
                 duration,
                 sp.Symbol(f"x_{phase.name}", real=True),
@@ -49,13 +49,13 @@ def series(scene: Scene, times: Times, found: tuple[Switch, ...]) -> tuple[Phase
                 sp.Integer(0) if held else N + switch.k,
             )
         )
-    return tuple(made)
+    return tuple(trial)
 
 
 def blocks(
     scene: Scene, trial: tuple[PhaseSeries, ...], left: Mapping[str, tuple[sp.Symbol, ...]]
 ) -> Iterator[Block]:
-    """Yield the unknowns of each phase: where it begins, its acceleration, what is left."""
+    """Yield the unknowns of each phase: begin, acceleration, polynomials that no test sees."""
     one = sp.Integer(1)
     for phase, q in zip(scene.phases, trial, strict=True):
         yield Block(q.displacement, one, f"displacement where {phase.name} begins")
@@ -76,7 +76,7 @@ def moments(scene: Scene, times: Times) -> Iterator[Moments]:
 
 
 def of_forcing(phase: Phase) -> sp.IndexedBase:
-    """Return what the moments of the forcing on a phase are called."""
+    """Return the symbol of the moments of the forcing on a phase."""
     return sp.IndexedBase(f"mu_{phase.name}")
 
 
@@ -86,46 +86,47 @@ def rows_of(q: PhaseSeries, switch: Switch) -> sp.Expr:
 
 
 def rest_of(phase: Phase, switch: Switch, test: Test) -> tuple[sp.Symbol, ...]:
-    """Return what multiplies the polynomials that no test of a phase sees.
+    """Return the coefficients of the polynomials orthogonal to all tests of a phase.
 
-    There are as many as the tests reach beyond their own index; of polynomials of a higher
-    degree than that of any test nothing need be said.
+    Their number is `reach`; polynomials of a degree above that of all tests are not counted.
     """
     count = reach(test, switch.k)
     return tuple(sp.Symbol(f"tau{i}_{phase.name}", real=True) for i in range(count))
 
 
 def reach(test: Test, k: int) -> int:
-    """Return by how much the degree of a test is above its index."""
+    """Return the degree of a test function less its index."""
     return max(int(degree - l) for degree in test(l, k))
 
 
 def check_rest(test: Test, rest: Rest | None, k: int) -> None:
-    """Check that what is said to be orthogonal to the tests is, up to degree `CHECKED`.
+    """Check that the polynomials `rest` are orthogonal to the tests, up to degree `CHECKED`.
 
-    A `ValueError` is raised if not, or if nothing is said though the tests reach beyond their
-    index.
+    Raises
+    ------
+    ValueError
+        If they are not, or if they are missing though `reach` is not 0.
     """
     if rest is None:
         if reach(test, k):
             raise ValueError(f"rest: got none, and a test of C^{k} reaches beyond its index")
         return
     for m, index in combinations(map(sp.Integer, reversed(range(CHECKED + 1))), 2):
-        seen = sp.Add(
+        product = sp.Add(
             *(
                 weight * rest(m, degree, k) / (2 * degree + 1)
                 for degree, weight in test(index, k).items()
                 if degree <= m
             )
         )
-        if seen != 0:
+        if product != 0:
             raise ValueError(f"test {index} sees the polynomial of degree {m} at class C^{k}")
 
 
 def orthogonality(
     phase: Phase, q: PhaseSeries, switch: Switch, test: Test, rest: Rest | None
 ) -> Iterator[Condition]:
-    """Yield that what is left of the residual of a phase is what the tests do not see."""
+    """Yield the conditions that the residual of a phase is orthogonal to all tests."""
     equation = linear_phase(phase)
     rows = rows_of(q, switch)
     left = rest_of(phase, switch, test) if rest else ()
@@ -156,14 +157,11 @@ def orthogonality(
 def _events(
     scene: Scene, times: Times, start: closure.End, end: closure.End, symmetric: bool
 ) -> Iterator[Condition]:
-    """Yield the events: where nothing forces, of the state after them, which they then give.
+    """Yield the events: without forcing in the state after the switch, which they prescribe.
 
-    Where the tests are not `symmetric` in time, what the scene says of its start comes in the
-    place of the first.
-
-    A forced motion is searched for from rough times, one after the other, at which the states
-    are fitted to the conditions first.  With events at the ends of the phases that finds an
-    orbit in half the iterations.
+    If the tests are not `symmetric` in time, the start of the scene, if any, replaces the first
+    event.  With forcing, events are in the state before the switch: searches from rough times,
+    at which states are fitted first, then take half the iterations.
     """
     if times.frequency is not None:
         yield from closure.events(scene, times, end)
@@ -176,17 +174,22 @@ def _events(
 def derive(
     scene: Scene, method: str, title: str, test: Test, rest: Rest | None = None
 ) -> GalerkinConditions:
-    """Return the conditions of a scene in an expansion; a `ValueError` if the tests see them.
+    """Return the conditions of a scene in an expansion.
 
     Parameters
     ----------
     scene : Scene
     method, title : str
-        Of the expansion.
+        Name of the expansion, and its description.
     test : callable
-        The functions that the residual is tested with.
+        The test functions of the residual.
     rest : callable, optional
-        The polynomials that these do not see; without it they are those of high degree.
+        The polynomials orthogonal to these; by default those of high degree.
+
+    Raises
+    ------
+    ValueError
+        If `rest` is not orthogonal to the tests; see `check_rest`.
     """
     times, found = Times.of(scene), switches(scene)
     for switch in found:

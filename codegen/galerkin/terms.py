@@ -1,4 +1,4 @@
-"""A condition, or an expression, as linear terms: what is multiplied by which unknown."""
+"""A condition or an expression as linear terms: coefficients of unknowns."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
@@ -11,15 +11,15 @@ from .condition import Block, Condition
 
 @dataclass(frozen=True)
 class Term:
-    """One part of a condition: a coefficient times an unknown, or alone.
+    """One term of a condition: a coefficient times an unknown, or a constant.
 
     Parameters
     ----------
     coefficient : Expr
     block : Block or None
-        Of the unknown; None for what stands alone.
+        Block of the unknown; None for a constant.
     index : Expr
-        Of the unknown in its block, if that is a family.
+        Index of the unknown in its block, if that is a family.
     over : tuple or None
         Index and limits of a sum over the unknowns of the block.
     """
@@ -31,9 +31,12 @@ class Term:
 
 
 def terms(condition: Condition, blocks: Sequence[Block]) -> list[Term]:
-    """Return the terms of a condition: single unknowns, sums, and what stands alone.
+    """Return the terms of a condition: single unknowns, sums, and the constant.
 
-    A `ValueError` is raised if the condition is not linear in the unknowns.
+    Raises
+    ------
+    ValueError
+        If the condition is not linear in the unknowns.
     """
     expression = condition.expression
     if expression.has(sp.Sum):
@@ -68,7 +71,7 @@ def _by_unknown(
 
 
 def factored(expression: sp.Expr) -> sp.Expr:
-    """Return an expression by the entries of tables in it, what multiplies each in factors."""
+    """Return an expression as a sum of entries of tables, each with a factored coefficient."""
     entries = expression.atoms(sp.Indexed)
     if entries:
         parts = weights(expression, entries)
@@ -85,7 +88,7 @@ def _factored(expression: sp.Expr) -> sp.Expr:
 
 
 def _unknowns(expression: sp.Expr, block: Block) -> list[sp.Expr]:
-    """Return what stands of a block in an expression, in a fixed order."""
+    """Return the unknowns of a block that occur in an expression, in a fixed order."""
     if not isinstance(block.symbol, sp.IndexedBase):
         return [block.symbol] if expression.has(block.symbol) else []
     there = [q for q in expression.atoms(sp.Indexed) if q.base == block.symbol]
@@ -93,9 +96,12 @@ def _unknowns(expression: sp.Expr, block: Block) -> list[sp.Expr]:
 
 
 def weights(expression: sp.Expr, symbols: Collection[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
-    """Return what multiplies each symbol that is there, and the rest as that of 1.
+    """Return the coefficient of each symbol that occurs, and the constant as that of 1.
 
-    A `ValueError` is raised if the expression is not linear in the symbols.
+    Raises
+    ------
+    ValueError
+        If the expression is not linear in the symbols.
     """
     found: dict[sp.Expr, list[sp.Expr]] = {}
     for part in sp.Add.make_args(expression):

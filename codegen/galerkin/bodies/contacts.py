@@ -1,4 +1,4 @@
-"""What the contacts of a body see of its poles, and what their laws make of that."""
+"""The contacts of a body: their displacements by its poles, and the forces by their laws."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -11,22 +11,22 @@ from ...scene.bodies.body import Contact
 from ...scene.bodies.law import body_of, form, law_rows, place
 from ..condition import Times
 
-#: The index of a pole, and how many there are: one of each pair.
+#: The index of a pole, and the number of poles, one of each complex pair.
 j, L = sp.symbols("j L", integer=True, positive=True)
 
 pole = sp.IndexedBase("lambda")
 
-#: The rate at which the velocity of a held contact returns to its value: on an orbit it has it.
+#: The rate at which the velocity of a held contact returns to the prescribed one.
 RATE = sp.Symbol("omega_r", positive=True)
 
 
 @dataclass(frozen=True)
 class Contacts:
-    """The contacts of a scene's body: their names in the equations, their laws.
+    """The contacts of a scene's body: their symbols in the equations, and their laws.
 
     ``z_j' = lambda_j z_j + sum chi_j f`` and ``x = Re sum psi_j z_j + Re(X e^(i angle)) + D f``
-    at each contact; ``Y``, the mobility of the modes that are kept, is what a force adds to the
-    acceleration.
+    at each contact.  A force f adds ``Y f`` to the acceleration, with the mobility Y of the
+    modes that are kept.
     """
 
     scene: Scene
@@ -37,40 +37,40 @@ class Contacts:
         return tuple(body_of(self.scene).at.values())
 
     def name(self, letter: str, *which: int, word: str = "") -> str:
-        """Return a letter with the names of contacts, where there are several, and a word."""
+        """Return a letter with the names of contacts, if there are several, and a word."""
         names = [self.each[c].name for c in which] if len(self.each) > 1 else []
         return "_".join(filter(None, (letter, *names, word)))
 
     def psi(self, c: int) -> sp.Expr:
-        """Return what contact `c` sees of a pole."""
+        """Return the displacement of contact `c` by a pole."""
         return sp.IndexedBase(self.name("psi", c))[j]
 
     def chi(self, c: int) -> sp.Expr:
-        """Return what the force at contact `c` does to a pole."""
+        """Return the modal force of a force at contact `c` on a pole."""
         return sp.IndexedBase(self.name("chi", c))[j]
 
     def response(self, c: int) -> sp.Symbol:
-        """Return the complex amplitude of contact `c` in the body's answer to the forcing."""
+        """Return the complex amplitude of contact `c` in the steady response to the forcing."""
         return sp.Symbol(self.name("X", c), complex=True)
 
     def mobility(self, c: int, d: int) -> sp.Symbol:
-        """Return what a force at `d` adds to the acceleration at `c`."""
+        """Return the acceleration at contact `c` by a unit force at `d`."""
         return sp.Symbol(self.name("Y", c, d), real=True)
 
     def static(self, c: int, d: int) -> sp.Expr:
-        """Return what a force at `d` adds to the displacement at `c` by modes left out."""
+        """Return the residual flexibility: displacement at `c` by a force at `d`."""
         return sp.Symbol(self.name("D", c, d), real=True) if self.gives else sp.Integer(0)
 
     @cached_property
     def gives(self) -> bool:
-        """Whether modes left out are a compliance: no force jumps, nothing is remembered."""
+        """Whether modes left out add a flexibility: if no force jumps, without a memory."""
         if body_of(self.scene).modes is None or self.scene.memory:
             return False
         motions = self.scene.each_motion
         return all(switch.jumps > 2 for motion in motions for switch in switches(motion))
 
     def whole(self, c: int, d: int, held: bool) -> sp.Symbol:
-        """Return the mobility of the whole body, or before a held phase of the modes kept."""
+        """Return the mobility of the whole body; before a held phase that of the modes kept."""
         if held or body_of(self.scene).modes is None:
             return self.mobility(c, d)
         return sp.Symbol(self.name("W", c, d), real=True)
@@ -78,14 +78,14 @@ class Contacts:
     def seen(
         self, parts: Sequence[Sequence[sp.Expr]], wave: sp.Expr, one: sp.Expr
     ) -> list[sp.Expr]:
-        """Return what forms are of, the forces 0.
+        """Return the signals of which forms are linear combinations, with zero forces.
 
         Parameters
         ----------
         parts : sequence of (Expr, Expr, Expr)
             Displacement, velocity and acceleration of each contact.
         wave, one : Expr
-            What stands for the forcing and for 1.
+            In place of the forcing and of 1.
         """
         body = body_of(self.scene)
         found: dict[int, sp.Expr] = {2: wave, 3: one}
@@ -97,7 +97,7 @@ class Contacts:
         return [found.get(i, sp.Integer(0)) for i in range(width)] + memory
 
     def forced(self, seen: Sequence[sp.Expr], forces: Sequence[sp.Expr]) -> list[sp.Expr]:
-        """Return what forms are of, with the forces and what they add directly."""
+        """Return the signals with the forces, and with their direct effects, added."""
         body, found = body_of(self.scene), list(seen)
         for c, contact in enumerate(self.each):
             found[place(body, contact.force)] += forces[c]
@@ -107,14 +107,14 @@ class Contacts:
         return found
 
     def of_response(self) -> list[tuple[sp.Expr, ...]]:
-        """Return displacement, velocity, acceleration of the answer to ``e^(i Omega t)``."""
+        """Return displacement, velocity, acceleration of the response to ``e^(i Omega t)``."""
         turn = sp.I * (self.scene.frequency or 0)
         return [
             tuple(self.response(c) * turn**q for q in range(3)) for c in range(len(self.each))
         ]
 
     def of_poles(self, state: sp.Expr, wave: sp.Expr) -> list[tuple[sp.Expr, ...]]:
-        """Return them for states of the poles, and the forcing as a complex wave."""
+        """Return the same for a given state of a pole, and the forcing as a complex wave."""
         found = []
         for c, answers in enumerate(self.of_response()):
             sums = (self.summed(pole[j] ** q * self.psi(c) * state) for q in range(3))
@@ -139,13 +139,13 @@ class Contacts:
         return found
 
     def is_given(self, p: int) -> bool:
-        """Whether the laws of a phase say its forces, whatever the body does."""
+        """Return whether the laws of a phase prescribe its forces, whatever the motion."""
         body = body_of(self.scene)
         moving = [2, *(place(body, q) for c in self.each for q in (c.x, c.v, c.a))]
         return all(row[i] == 0 for row in self.laws(p) for i in moving)
 
     def by_law(self, p: int, seen: Sequence[sp.Expr]) -> list[sp.Expr]:
-        """Return the forces that the laws of a phase make of what is seen without them."""
+        """Return the forces by the laws of a phase, from the signals without forces."""
         laws, count = self.laws(p), len(self.each)
         nothing = [sp.Integer(0)] * len(seen)
         columns = [
@@ -157,11 +157,11 @@ class Contacts:
         return [sp.factor_terms(-q) for q in direct.LUsolve(rest)]
 
     def form(self, expression: sp.Expr, memory: bool = True) -> tuple[sp.Expr, ...]:
-        """Return a linear form of the scene."""
+        """Return the factors of a linear form of the scene."""
         return form(expression, self.scene, self.scene.name, memory)
 
     def impulses(self, p: int) -> Iterator[tuple[int, sp.Expr]]:
-        """Yield the contacts that are hit at the end of a phase, and the velocity after it."""
+        """Yield the contacts with an impulse at the end of a phase, and their velocity then."""
         scene, last = self.scene, p == len(self.scene.phases) - 1
         after = scene.phases[0 if last else p + 1]
         for c, contact in enumerate(self.each):
@@ -173,18 +173,18 @@ class Contacts:
 
 
 class OfForces:
-    """What an expansion of contact forces is of, and what its tables are called."""
+    """Scene, times and contacts of an expansion of contact forces, and symbols of tables."""
 
     def __init__(self, scene: Scene) -> None:
         self.scene, self.times, self.contacts = scene, Times.of(scene), Contacts(scene)
         self.count, self.phases = len(self.contacts.each), range(len(scene.phases))
 
     def table(self, letter: str, *which: int, phase: int | None = None) -> sp.IndexedBase:
-        """Return what a table is called: of contacts, of a phase."""
+        """Return the symbol of a table, with the names of contacts and of a phase."""
         word = "" if phase is None else self.scene.phases[phase].name
         return sp.IndexedBase(self.contacts.name(letter, *which, word=word))
 
 
 def dot(row: Sequence[sp.Expr], values: Sequence[sp.Expr]) -> sp.Expr:
-    """Return a form of values."""
+    """Return the value of a form: the sum of factors times values."""
     return sp.Add(*(a * b for a, b in zip(row, values, strict=True)))

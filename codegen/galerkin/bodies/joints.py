@@ -1,4 +1,4 @@
-"""What joins the phases of a body: impulses, events, memory, the period."""
+"""The conditions that join the phases of a body: impulses, events, memories, the period."""
 
 from collections.abc import Callable, Iterator, Sequence
 
@@ -9,18 +9,18 @@ from .. import closure
 from ..condition import Block, Condition, Times
 from .contacts import Contacts, dot
 
-#: ``(phase, at_end)``: what forms are of there, the forces 0.
+#: ``seen(phase, at_end)``: the signals of forms at the begin or end, with zero forces.
 Seen = Callable[[int, bool], Sequence[sp.Expr]]
 
 
 def impulse(contacts: Contacts, p: int, c: int) -> sp.Symbol:
-    """Return the impulse at contact `c` where phase `p` ends."""
+    """Return the symbol of the impulse at contact `c` where phase `p` ends."""
     word = contacts.scene.phases[p].name
     return sp.Symbol(contacts.name("J", c, word=word), real=True)
 
 
 def blocks(scene: Scene) -> Iterator[Block]:
-    """Yield the unknowns beside those of the forces."""
+    """Yield the unknowns besides those of the forces: impulses and memories."""
     contacts = Contacts(scene)
     for p, phase in enumerate(scene.phases):
         for c, _ in contacts.impulses(p):
@@ -30,7 +30,7 @@ def blocks(scene: Scene) -> Iterator[Block]:
 
 
 def conditions(scene: Scene, times: Times, seen: Seen) -> Iterator[Condition]:
-    """Yield the laws of the impulses, what the memory is set to, the events, the period."""
+    """Yield the conditions of impulses, memories, events and the period."""
     contacts = Contacts(scene)
     for p, phase in enumerate(scene.phases):
         hit, velocities = dict(contacts.impulses(p)), seen(p, True)

@@ -1,7 +1,7 @@
-"""The force series: contact forces in Legendre polynomials of each phase, the laws tested.
+"""The force series: Galerkin projection of contact forces onto Legendre polynomials.
 
-Where the laws say a force, one constant is exact; elsewhere N + 1 coefficients are unknown and
-the law is tested with as many polynomials.  The integrals are those of `force_series`.
+A force that the laws prescribe is one constant.  Any other has N + 1 unknown coefficients, and
+its law is tested with as many polynomials.  The integrals are those of `force_series`.
 """
 
 from collections.abc import Iterator
@@ -18,7 +18,7 @@ from .contacts import OfForces, dot, j, pole
 
 m, n = sp.symbols("m n", integer=True, nonnegative=True)
 
-#: Local time of a phase, and of what a force did before it.
+#: Local time of a phase, and the earlier one at which a force acts.
 u, y = sp.symbols("u y", nonnegative=True)
 
 
@@ -34,7 +34,7 @@ def derive(scene: Scene, method: str, title: str) -> BodyConditions:
 
 
 class _Series(OfForces):
-    """The pieces of the force series of one scene."""
+    """The symbols and conditions of the force series of one scene."""
 
     def force(self, p: int, c: int) -> sp.IndexedBase:
         """Return the coefficients of a force in a phase."""
@@ -46,7 +46,7 @@ class _Series(OfForces):
         return sp.Integer(0) if self.contacts.is_given(p) else N
 
     def blocks(self) -> Iterator[Block]:
-        """Yield the unknowns."""
+        """Yield the unknown coefficients."""
         for p, phase in enumerate(self.scene.phases):
             for c, contact in enumerate(self.contacts.each):
                 what = f"force at {contact.name} in {phase.name} in Legendre polynomials"
@@ -69,14 +69,14 @@ class _Series(OfForces):
         return sp.exp(sp.I * self.times.angle(self.times.start(p)))
 
     def seen(self, p: int, at_end: bool) -> list[sp.Expr]:
-        """Return what forms are of where a phase begins or ends, the forces 0."""
+        """Return the signals of forms at the begin or end of a phase, with zero forces."""
         q, letter = (p + 1, "w") if at_end else (p, "z")
         state, wave = self.table(letter, phase=p)[j], self.wave(q)
         parts = self.contacts.of_poles(state, wave if self.times.frequency else sp.Integer(0))
         return self.contacts.seen(parts, self.times.forcing(self.times.start(q)), sp.S.One)
 
     def tested(self, p: int) -> Iterator[Condition]:
-        """Yield the laws of a phase, tested."""
+        """Yield the Galerkin conditions of the laws of a phase."""
         name, last = self.scene.phases[p].name, self.last(p)
         wave, cosine = sp.Integer(0), sp.Integer(0)
         if self.times.frequency is not None:
@@ -95,7 +95,7 @@ class _Series(OfForces):
                 yield Condition(f"law_{contact.name}_{name}", title, row, m, sp.S.Zero, N + 1)
 
     def tables(self) -> Iterator[Table]:
-        """Yield what the conditions look up."""
+        """Yield the tables that the conditions use."""
         yield from integrals()
         phases = self.scene.phases
         cell, sign = self.times.cell, self.times.sign
@@ -135,7 +135,7 @@ class _Series(OfForces):
             yield Table(self.table("y", phase=p)[m, j], words, (tested,))
 
     def _by_forces(self, p: int, weight: sp.Expr) -> sp.Expr:
-        """Return what the weighted coefficients of the forces in a phase do to a pole."""
+        """Return the modal force on a pole by weighted coefficients of forces in a phase."""
         limits = n, 0, self.last(p)
         sums = (
             sp.Sum(weight * self.force(p, c)[n], limits).doit(deep=False)
@@ -144,13 +144,13 @@ class _Series(OfForces):
         return sp.Add(*(self.contacts.chi(c) * total for c, total in enumerate(sums)))
 
     def _pushed(self, p: int) -> sp.Expr:
-        """Return what the impulses at the end of a phase add to a pole."""
+        """Return the jump of a pole's state by the impulses at the end of a phase."""
         contacts = self.contacts
         hit = (c for c, _ in contacts.impulses(p))
         return sp.Add(*(contacts.chi(c) * joints.impulse(contacts, p, c) for c in hit))
 
     def _added(self) -> sp.Expr:
-        """Return what a cell adds to a pole."""
+        """Return the state of a pole after a cell that begins at 0."""
         parts = []
         for p in self.phases:
             rest = sp.Add(*self.times.durations[p + 1 :])
@@ -159,12 +159,12 @@ class _Series(OfForces):
         return sp.Add(*parts)
 
 
-#: ``a_m``, ``b_n`` and ``Z_mn`` of an argument, as they are shown.
+#: ``a_m``, ``b_n`` and ``Z_mn`` as functions of kappa, for display.
 a_at, b_at, Z_at = map(sp.Function, "abZ")
 
 
 def integrals() -> Iterator[Table]:
-    """Yield the two integrals and their recurrences, those that are emitted."""
+    """Yield the two integrals of `force_series` and their emitted recurrences."""
     found = {q.name: q.value for q in force_series.formulas()}
     before, here = force_series.before, force_series.here
     other = force_series.m, force_series.n

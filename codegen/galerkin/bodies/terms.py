@@ -1,4 +1,4 @@
-"""The harmonics of the contact forces of a scene, in symbols: their tables, forms of these."""
+"""The harmonics of the contact forces of a scene: symbols, tables, and forms of these."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -10,17 +10,18 @@ from ..condition import N
 from . import joints
 from .contacts import OfForces, j, pole
 
-#: A harmonic of a test, of a force, of a product, of a function.
+#: Index of a harmonic: of a test, of a force, of a product.
 m, n, l = sp.symbols("m n l", integer=True)
 
 t, u, T, omega_0 = sp.symbols("t u T omega_0", positive=True)
 
-#: The function of n and the part of the cell since its break; what pole j answers to it.
+#: ``beta(n, age)``, the age being the time since the break over the cell; the response of pole
+#: j to it.
 beta, rho = sp.Function("beta"), sp.Function("rho")
 
 
 class Function(NamedTuple):
-    """A function of a force with a break where a phase begins."""
+    """A function ``beta_n`` in a contact force, with its break where a phase begins."""
 
     phase: int
     n: int
@@ -28,13 +29,13 @@ class Function(NamedTuple):
 
 
 class Terms(OfForces):
-    """The harmonics of one scene: what its unknowns and tables are called, and forms of them.
+    """The harmonics of one scene: symbols of its unknowns and tables, and forms of them.
 
     Parameters
     ----------
     scene : Scene
     functions : int
-        Beside the harmonics, at each switch.
+        Number of functions added to the harmonics at each switch.
     """
 
     def __init__(self, scene: Scene, functions: int) -> None:
@@ -55,7 +56,7 @@ class Terms(OfForces):
 
     @property
     def has_breaks(self) -> bool:
-        """Whether there is more than harmonics."""
+        """Whether there are functions with breaks, or impulses."""
         return bool(self.functions or self.impulses)
 
     @property
@@ -64,50 +65,50 @@ class Terms(OfForces):
         return (-N if self.times.sign == 1 else 1 - N), N
 
     def mirrored(self, index: sp.Expr) -> sp.Expr:
-        """Return the index of the harmonic of the other sign."""
+        """Return the index of the harmonic with the opposite number."""
         return -index if self.times.sign == 1 else 1 - index
 
     def wave(self, index: sp.Expr, p: int) -> sp.Expr:
-        """Return a harmonic where phase `p` begins."""
+        """Return the value of a harmonic where phase `p` begins."""
         return sp.exp(sp.I * self.times.harmonic(index) * omega_0 * self.times.start(p))
 
     def force(self, c: int) -> sp.IndexedBase:
-        """Return the harmonics of a force."""
+        """Return the symbol of the harmonics of force `c`."""
         return self.table("f", c)
 
     def factor(self, q: Function) -> sp.Symbol:
-        """Return what multiplies a function."""
+        """Return the symbol of the coefficient of a function."""
         word = self.scene.phases[q.phase].name
         return sp.Symbol(self.contacts.name(f"c{q.n}", q.contact, word=word), real=True)
 
     def moment(self, r: int, c: int, d: int) -> sp.Expr:
-        """Return ``Re sum lambda_j^r psi_j chi_j``: 0, the mobility, and so on."""
+        """Return ``Re sum lambda_j^r psi_j chi_j``: 0 for r = 0, the mobility for r = 1, ..."""
         if r < 2:
             return sp.Integer(0) if r == 0 else self.contacts.mobility(c, d)
         return self.table("Y", c, d)[r]
 
     def compliance(self, q: int, c: int, d: int) -> sp.Expr:
-        """Return ``Re sum lambda_j^q psi_j z_j`` of a harmonic of a force."""
+        """Return ``Re sum lambda_j^q psi_j z_j`` at contact `c` by harmonic n of force `d`."""
         turn = sp.I * self.times.harmonic(n) * omega_0
         rest = (turn ** (q - 1 - r) * self.moment(r, c, d) for r in range(q))
         return turn**q * self.table("H", c, d)[n] - sp.Add(*rest)
 
     def breaks(self) -> Iterator[tuple[int, int, int, sp.Expr]]:
-        """Yield where a function or an impulse is, its n or 0, its contact, its factor."""
+        """Yield switch, n (0 for an impulse), contact and factor of functions and impulses."""
         for q in self.functions:
             yield q.phase, q.n, q.contact, self.factor(q)
         for p, c in self.impulses:
             yield p + 1, 0, c, joints.impulse(self.contacts, p, c)
 
     def aged(self, p: int, q: int, at_end: bool) -> tuple[int, sp.Expr]:
-        """Return the sign of a break at `p` on phase `q`, and its age there over the cell."""
+        """Return sign and age, over the cell, of a break at `p` at an end of phase `q`."""
         end = self.cell if q + at_end == len(self.phases) else self.times.start(q + at_end)
         begin = self.cell if p == len(self.phases) else self.times.start(p)
         early = q < p
         return (self.times.sign if early else 1), (end - begin) / self.cell + int(early)
 
     def state(self, q: int, at_end: bool) -> sp.Expr:
-        """Return what the breaks make of a pole where a phase begins or ends."""
+        """Return the state of a pole by the breaks, where a phase begins or ends."""
         return self.table("w" if at_end else "z", phase=q)[j]
 
     def derivatives(self, p: int, at_end: bool, q: int) -> list[tuple[sp.Expr, ...]]:
@@ -128,9 +129,9 @@ class Terms(OfForces):
         return found
 
     def seen(self, p: int, at_end: bool, q: int = 0) -> list[sp.Expr]:
-        """Return what forms are of where a phase begins or ends, differentiated q times.
+        """Return derivative q of the signals of forms where a phase begins or ends.
 
-        The forces are 0, and their derivatives below q those of the law of the phase.
+        Derivative q of the forces is 0; lower ones are those by the law of the phase.
         """
         parts = self.derivatives(p, at_end, q)
         angle, driven = self.times.angle(self.times.start(p + at_end)), sp.Integer(0)
@@ -156,11 +157,11 @@ class Terms(OfForces):
         return self.contacts.seen(parts, driven, sp.Integer(q == 0))
 
     def law(self, p: int, at_end: bool, q: int) -> list[sp.Expr]:
-        """Return the forces by the law of a phase at its end, differentiated q times."""
+        """Return derivative q of the forces by the law of a phase, at its begin or end."""
         return self.contacts.by_law(p, self.seen(p, at_end, q))
 
     def constant(self, p: int) -> list[sp.Expr]:
-        """Return the forces in a phase by what is constant, memory included."""
+        """Return the constant part of the forces in a phase, with that of memories."""
         nothing = [(sp.Integer(0),) * 3] * self.count
         return self._by_law(p, nothing, one=1)
 
@@ -177,5 +178,6 @@ class Terms(OfForces):
     def _by_law(
         self, p: int, parts: Sequence[tuple[sp.Expr, ...]], wave: int = 0, one: int = 0
     ) -> list[sp.Expr]:
+        """Return the forces by the law of a phase, for given signals."""
         seen = self.contacts.seen(parts, sp.Integer(wave), sp.Integer(one))
         return self.contacts.by_law(p, seen)
