@@ -1,11 +1,11 @@
-"""Any scene in any expansion for a reader: the records that text, LaTeX and HTML print.
+"""The equations of any scene in any expansion, as records to be printed: text, LaTeX, HTML.
 
 Input: a `Scene`, of one mass or of a body, and its `GalerkinConditions` in an expansion.
 Output: `scene_equations`, the oscillator; `method_equations`, a `GalerkinSystem` with every
-condition from its statement to its closed form, what it looks up, and what each unknown is.
-`derive_scene` and `sections` find scene and expansion by their names.
+condition from its statement to its closed form, the tables it uses, and a description of each
+unknown.  `derive_scene` and `sections` find scene and expansion by their names.
 
-Nothing here names a scene; an expansion is told by what its conditions hold.
+No scene is named here; an expansion is recognised by its unknowns.
 """
 
 from .method import method_equations

@@ -1,4 +1,4 @@
-"""What a scene of a body has for the reader in place of one mass: matrices, laws, impulses."""
+"""The equations of a scene with a body, to be printed: matrices, laws, impulses."""
 
 from collections.abc import Iterator
 
@@ -11,12 +11,12 @@ from .conditions.functions import state, t
 from .notation import Notation
 from .switching import at_state, balanced
 
-#: Of the whole body: its coordinates.
+#: The coordinates of the whole body.
 q = sp.Function("q")
 
 
 def of_the_body(notation: Notation) -> Iterator[Equation]:
-    """Yield the equation of motion of the body, and what picks each contact."""
+    """Yield the equation of motion of the body, and the displacement of each contact."""
     scene, contacts = notation.scene, Contacts(notation.scene)
     body, each = body_of(scene), range(len(contacts.each))
     picks = [contacts.name("b", c) for c in each]
@@ -47,7 +47,7 @@ def laws_of(notation: Notation, p: int) -> Iterator[Equation]:
 
 
 def returning(notation: Notation, p: int) -> Equation:
-    """Return the law by which a contact that is held in phase `p` keeps its velocity."""
+    """Return the law that is solved for a contact held in phase `p`, which returns to it."""
     phase = notation.scene.phases[p]
     back = state(2, t) + RATE * (state(1, t) - sp.sympify(phase.held))
     words = f"law that is solved in {phase.name}: the same from that velocity on"
@@ -63,7 +63,7 @@ def rate(notation: Notation) -> Iterator[Equation]:
 
 
 def velocities(notation: Notation, p: int) -> Iterator[Equation]:
-    """Yield the velocity of each contact that is hit where phase `p` ends."""
+    """Yield the velocity after the end of phase `p` of each contact with an impulse."""
     scene, contacts = notation.scene, Contacts(notation.scene)
     sign = scene.sign if p + 1 == len(scene.phases) else 1
     for c, law in contacts.impulses(p):

@@ -1,4 +1,4 @@
-"""A scene in one expansion as the record that printing reads."""
+"""The equations of a scene in one expansion, as a record to be printed."""
 
 import re
 from collections.abc import Iterator
@@ -18,7 +18,7 @@ from .conditions.functions import T
 from .conditions.polynomial import Polynomial
 from .notation import Notation
 
-#: What is said of the conditions where the forcing may have several cycles in the period.
+#: Remark on printed conditions, if the forcing may have several cycles in the period.
 ONE_CYCLE = (
     "The period is one of the forcing; where it is `n` of them, the forcing has the frequency "
     "`n omega_0`."
@@ -37,13 +37,13 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     -------
     GalerkinSystem
         `equations` has the expansion, the residual, each condition from its statement to its
-        closed form and zero, what each closed form looks up, and the times; `method` is
-        spelled with the class of the scene.
+        closed form and zero, the tables of closed forms, and the times; `method` is spelled
+        with the class of the scene.
 
     Raises
     ------
     ValueError
-        If the unknowns are those of no family of expansions that is known here.
+        If the unknowns are those of no known family of expansions.
 
     Examples
     --------
@@ -69,7 +69,7 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
 
 
 def _of_one_cycle(conditions: GalerkinConditions) -> GalerkinConditions:
-    """Return conditions for a period of the motion that is one of the forcing."""
+    """Return conditions for one period of the forcing in the period of the motion."""
     rows = (replace(c, expression=c.expression.subs(cycles, 1)) for c in conditions.conditions)
     return replace(conditions, conditions=tuple(rows))
 
@@ -77,7 +77,7 @@ def _of_one_cycle(conditions: GalerkinConditions) -> GalerkinConditions:
 def spelled(method: str, scene: Scene) -> str:
     """Return the name of a method with the class of a scene.
 
-    The generic name where an expansion has that name for itself and `applies`.
+    It is the generic name if another expansion that applies to the scene has that name.
 
     Examples
     --------
@@ -97,7 +97,7 @@ def _title(conditions: GalerkinConditions, k: int) -> str:
 
 
 def unknowns(conditions: GalerkinConditions) -> Iterator[tuple[str, str]]:
-    """Yield the name of each unknown, as it is shown, and what it is."""
+    """Yield the printed name of each unknown, and its description."""
     for block in conditions.blocks:
         several = isinstance(block.symbol, sp.IndexedBase)
         yield f"{block.name}[n]" if several else str(shown(block)), _what(block)
@@ -108,14 +108,14 @@ def unknowns(conditions: GalerkinConditions) -> Iterator[tuple[str, str]]:
 
 
 def _what(block: Block) -> str:
-    """Return what an unknown is, with the functions that are named marked."""
+    """Return the description of an unknown, with names of functions marked."""
     several = "s" if block.count != 1 else ""
     begins = f"coefficient{several} " if block.what.startswith("of ") else ""
     return begins + re.sub(r"\b[a-z]+_\d+\b", r"`\g<0>`", block.what)
 
 
 def _times(notation: Notation) -> Iterator[Equation]:
-    """Yield the durations in the times of the switches, and the period."""
+    """Yield the durations in terms of the times of the switches, and the period."""
     for p, (time, phase) in enumerate(
         zip(notation.times.durations, notation.scene.phases, strict=True)
     ):

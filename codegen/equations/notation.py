@@ -1,6 +1,6 @@
-"""When a scene's phases begin and end, in the paper's symbols: ``0, t1, ..., T``.
+"""Notation of printed equations: times of switches ``0, t1, ..., T`` as in the paper.
 
-And the numbers of the paper, where a scene is the paper's.
+For the paper's scene also its equation numbers.
 """
 
 from collections.abc import Mapping
@@ -18,14 +18,14 @@ from .conditions.functions import T, omega_0, state
 
 @dataclass(frozen=True)
 class Notation:
-    """Names of the times of a scene.
+    """Symbols of a scene for times, derivatives and forces.
 
     Parameters
     ----------
     scene : Scene
     times : Times
     found : tuple of Switch
-        Its switches; that which begins the first phase comes first.
+        Its switches, that at the begin of the first phase first.
     """
 
     scene: Scene
@@ -39,21 +39,21 @@ class Notation:
 
     @cached_property
     def saltations(self) -> tuple[sp.Matrix, ...]:
-        """What the switch at the end of each phase makes of small perturbations."""
+        """The saltation matrix of the switch at the end of each phase."""
         return saltations(self.scene)
 
     @cached_property
     def numbers(self) -> Mapping[str, str]:
-        """The numbers of the paper by the names of rows; see `scenes.numbers_of`."""
+        """Equation numbers of the paper by names of rows; see `scenes.numbers_of`."""
         return numbers_of(self.scene)
 
     @property
     def cell(self) -> sp.Expr:
-        """Where the last phase ends: the period, or half of it."""
+        """The end of the cell: the period, or half of it."""
         return self.at(len(self.found))
 
     def at(self, p: int) -> sp.Expr:
-        """Return the time at which phase `p` begins; of the last, for the end of the cell."""
+        """Return the time at which phase `p` begins; for ``p = P`` the end of the cell."""
         if p == 0:
             return sp.Integer(0)
         if p == len(self.found) and self.times.sign == 1:
@@ -61,7 +61,7 @@ class Notation:
         return sp.Symbol(f"t{p}", positive=True)
 
     def side(self, p: int, sign: str) -> sp.Symbol:
-        """Return the time of a switch from the left, ``-``, or from the right, ``+``."""
+        """Return the time of a switch as a left, ``-``, or right, ``+``, limit."""
         return sp.Symbol(f"{self.at(p)}^{sign}", positive=True)
 
     def start(self, p: int, order: int) -> sp.Expr:
@@ -75,19 +75,19 @@ class Notation:
         return state(order, self.at(p + 1) if continuous else self.side(p + 1, "-"))
 
     def displacement(self, c: int, order: int, time: sp.Expr) -> sp.Expr:
-        """Return a derivative of the displacement of contact `c`; that of the first is x."""
+        """Return a derivative of the displacement of contact `c`, which is x for the first."""
         if c == 0:
             return state(order, time)
         name = list(body_of(self.scene).at)[c]
         return sp.Function(f"x_{name}" + "'" * order)(time)
 
     def force(self, c: int, time: sp.Expr) -> sp.Expr:
-        """Return the force at contact `c`; where there is one alone it is f."""
+        """Return the force at contact `c`, which is f if it is the only one."""
         names = list(body_of(self.scene).at)
         return sp.Function("f" if len(names) == 1 else f"f_{names[c]}")(time)
 
     def during(self, p: int) -> str:
-        """Return when phase `p` lasts."""
+        """Return the time interval of phase `p`, as text."""
         return f"`{self.at(p)} <= t < {self.at(p + 1)}`"
 
     def in_times(self, expression: sp.Expr) -> sp.Expr:

@@ -1,4 +1,4 @@
-"""A scene for the reader: motion, events, jumps, demands, class, perturbations, scales."""
+"""The equations of a scene, to be printed: motion, events, jumps, demands, classes, scales."""
 
 import re
 from collections.abc import Iterator
@@ -39,9 +39,9 @@ def scene_equations(scene: Scene) -> tuple[Equation, ...]:
     Returns
     -------
     tuple of Equation
-        The equation of motion of each phase, or the laws of the contacts, what holds and what
-        is demanded in it, what ends it and what jumps there, of one mass the class at each
-        switch, and the scales; with numbers where the scene is the paper's.
+        The equation of motion of each phase, or the laws of the contacts, its constraint and
+        demands, the event that ends it and the jump there; for one mass the class and the
+        saltation at each switch; and the scales.  The paper's scene has equation numbers.
 
     Examples
     --------
@@ -61,6 +61,7 @@ def scene_equations(scene: Scene) -> tuple[Equation, ...]:
 
 
 def _phases(notation: Notation) -> Iterator[Equation]:
+    """Yield the equations of motion, constraints and demands of all phases."""
     scene, numbers = notation.scene, notation.numbers
     for p, phase in enumerate(scene.phases):
         name, when = phase.name, notation.during(p)
@@ -85,6 +86,7 @@ def _phases(notation: Notation) -> Iterator[Equation]:
 
 
 def _switches(notation: Notation) -> Iterator[Equation]:
+    """Yield the events, jumps and demands at all switches, and the memories."""
     scene = notation.scene
     for p, phase in enumerate(scene.phases):
         left, right, _ = balanced(event(notation, p))
@@ -99,7 +101,7 @@ def _switches(notation: Notation) -> Iterator[Equation]:
 
 
 def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
-    """Yield what the event that ends a phase makes of the velocity."""
+    """Yield the jump of the velocity at the end of a phase, if there is one."""
     scene, phase = notation.scene, notation.scene.phases[p]
     if phase.ends.jump:
         q = (p + 1) % len(notation.found)
@@ -109,7 +111,7 @@ def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
 
 
 def _classes(notation: Notation) -> Iterator[Equation]:
-    """Yield the class at each switch, and what becomes of small perturbations."""
+    """Yield the class at each switch, and its map of small perturbations."""
     for p, switch in enumerate(notation.found):
         order = ORDINAL.get(switch.jumps, f"{switch.jumps}th")
         words = f"the motion is `C^{switch.k}` where {switch.before} begins: its {order} "
@@ -120,7 +122,7 @@ def _classes(notation: Notation) -> Iterator[Equation]:
 
 
 def whole_motion(notation: Notation) -> Iterator[Equation]:
-    """Yield what holds of the whole motion: its period, what is required, the scales."""
+    """Yield the equations of the whole motion: period, requirements, scales."""
     scene = notation.scene
     if scene.half_period:
         yield Equation("", "the motion repeats with the opposite sign", (x(t + T / 2), -x(t)))
@@ -142,7 +144,7 @@ def whole_motion(notation: Notation) -> Iterator[Equation]:
 
 
 def marked(scene: Scene, words: str) -> str:
-    """Return words with the parameters in them marked that can be nothing else."""
+    """Return words with names of parameters marked, if these contain an underscore."""
     names = [str(symbol) for symbol in scene.symbols if "_" in str(symbol)]
     return re.sub(rf"\b({'|'.join(names)})\b", r"`\1`", words) if names else words
 

@@ -1,6 +1,6 @@
-"""Scenes and expansions by their names, and the documents on them.
+"""Scenes and expansions by their names, and documents on them.
 
-A document on a scene consists of what it is, then of each expansion: equations, Jacobian.
+A document on a scene has its own equations, then equations and Jacobian of each expansion.
 """
 
 from collections.abc import Iterable, Mapping
@@ -25,7 +25,7 @@ def derive_scene(
 ) -> GalerkinSystem:
     """Return the equations of a scene in an expansion; see `nonsmooth.codegen.derive`.
 
-    Of several motions, those of the first.
+    Of several motions, the first is used.
 
     Examples
     --------
@@ -35,7 +35,7 @@ def derive_scene(
     return method_equations(conditions(scene_named(scene).each_motion[0], method, functions))
 
 
-#: The same once in a process, of a scene that is given by its name.
+#: The same with a cache, for scenes given by name.
 derived = cache(derive_scene)
 
 
@@ -46,21 +46,21 @@ def sections(
     motion: str | None = None,
     phases: str | None = None,
 ) -> list[Section]:
-    """Return the sections on a scene: what it is, and for each method equations and Jacobian.
+    """Return the sections on a scene: its equations, and those and the Jacobian of each method.
 
-    Of several motions, one after the other.
+    Several motions follow one after the other.
 
     Parameters
     ----------
     scene : str or Scene
     names : iterable of str
-        Of methods; without any, all.
+        Names of methods; all by default.
     functions : int, optional
         For methods that have functions with breaks; see `nonsmooth.codegen.derive`.
     motion : str, optional
-        The one that is shown, of a scene with several.
+        The only motion to be shown, of a scene with several.
     phases : str, optional
-        In place of a motion, an order of phases as `in_order` takes it, declared or not.
+        In place of a motion, an order of phases as in `in_order`, declared or not.
 
     Raises
     ------
@@ -79,6 +79,7 @@ def sections(
 
 
 def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
+    """Return the sections on one motion of a scene."""
     heading = f"{found.label} (`C^{class_of(found)}`): {found.title}"
     shown = [Section(heading, scene_equations(found), _parameters(found))]
     for name in names or tuple(methods(found)):
@@ -95,6 +96,7 @@ def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> l
 
 
 def _parameters(scene: Scene) -> str:
+    """Return the note on the parameters of a scene."""
     listed = "; ".join(
         f"`{q.symbol}`: {q.what}{f' in {q.unit}' if q.unit else ''}" for q in scene.parameters
     )
@@ -108,7 +110,7 @@ def _parameters(scene: Scene) -> str:
 def scene_named(scene: str | Scene) -> Scene:
     """Return a scene by its name or the path of its file.
 
-    A `ValueError` names the nearest scene that there is.
+    A `ValueError` suggests the scenes with the nearest names.
     """
     if isinstance(scene, Scene):
         return scene
@@ -118,7 +120,7 @@ def scene_named(scene: str | Scene) -> Scene:
 
 
 def _motion_named(scene: Scene, motion: str) -> Scene:
-    """Return a scene with one of its motions alone."""
+    """Return one motion of a scene as a scene; a `ValueError` if it has none of this name."""
     if motion not in scene.motions:
         known = list(scene.motions)
         expected = one_of(motion, known) if known else f"none: {scene.name} has only one"
@@ -127,7 +129,7 @@ def _motion_named(scene: Scene, motion: str) -> Scene:
 
 
 def methods(scene: Scene) -> Mapping[str, ModuleType]:
-    """Return the expansions that there are for a scene by their generic names, as told."""
+    """Return the expansions available for a scene by generic name, in their order."""
     made_for_it = (q for q in expansions.in_order() if expansions.applies(q, scene))
     return MappingProxyType({module.METHOD: module for module in made_for_it})
 
@@ -151,6 +153,7 @@ def conditions(scene: Scene, method: str, functions: int | None = None) -> Galer
 
 
 def _expansion(scene: Scene, method: str) -> ModuleType:
+    """Return the module of a method, by its generic name or that with the class."""
     known = methods(scene)
     for name, module in known.items():
         if method in (name, spelled(name, scene)):

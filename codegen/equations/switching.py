@@ -1,4 +1,4 @@
-"""What is linear in the state, in a phase and at switches: events, laws, jumps."""
+"""Linear forms of the state, in a phase and at switches: events, laws, jumps."""
 
 from collections.abc import Callable, Iterator
 
@@ -10,7 +10,7 @@ from .conditions.functions import Rate, state, t
 from .notation import Notation
 from .tidy import positive
 
-#: A small perturbation of each state, and what the state is called.
+#: Names of the states, and symbols of their small perturbations.
 PERTURBATIONS = (
     ("displacement", sp.Function("xi")),
     ("velocity", sp.Function("eta")),
@@ -18,12 +18,12 @@ PERTURBATIONS = (
 
 
 def event(notation: Notation, p: int) -> sp.Expr:
-    """Return what is zero where phase `p` ends."""
+    """Return the event function at the end of phase `p`, before the switch."""
     return at_the_end(notation, p, notation.scene.cell[p].ends.zero)
 
 
 def event_after(notation: Notation, p: int) -> sp.Expr:
-    """Return it of the state in which the next phase begins, but for a velocity that jumps."""
+    """Return the same in the state after the switch, except a velocity that jumps."""
     following = (p + 1) % len(notation.found)
     sign = notation.scene.sign if following == 0 else 1
     time = notation.side(following, "+") if following else notation.at(0)
@@ -44,7 +44,7 @@ def at_the_end(notation: Notation, p: int, expression: sp.Expr) -> sp.Expr:
 
 
 def set_to(notation: Notation, memory: Memory) -> sp.Expr:
-    """Return what a memory is set to, in the state there."""
+    """Return the value that a memory is set to, in the state there."""
     p = [phase.name for phase in notation.scene.phases].index(memory.at)
     return at_state(
         notation, memory.value, notation.at(p), lambda order: notation.start(p, order)
@@ -52,9 +52,10 @@ def set_to(notation: Notation, memory: Memory) -> sp.Expr:
 
 
 def jump(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
-    """Return the first derivative that jumps where phase `p` begins: right less left, its size.
+    """Return the jump of the first discontinuous derivative at the begin of phase `p`.
 
-    The size is in the state there, less what the event and a held velocity say of it.
+    As a difference of both sides, and as an expression in the state there, reduced by the event
+    and by a prescribed velocity.
     """
     scene, order = notation.scene, notation.found[p].jumps
     sides = [state(order, notation.side(p, sign)) for sign in "+-"]
@@ -67,6 +68,7 @@ def jump(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
 
 
 def _size(notation: Notation, p: int, order: int) -> sp.Expr:
+    """Return the jump of a derivative as an expression in the state at the switch."""
     scene, sign = notation.scene, notation.scene.sign if p == 0 else 1
     left, right = scene.cell[p - 1], scene.cell[p]
     frequency = scene.frequency if scene.frequency is not None else sp.Integer(0)
@@ -91,7 +93,7 @@ def _size(notation: Notation, p: int, order: int) -> sp.Expr:
 
 
 def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Expr, ...]]]:
-    """Yield words and sides: what becomes of a perturbation where phase `p` ends."""
+    """Yield name and equation of each perturbation after the end of phase `p`."""
     sides = {side: notation.side(p + 1, side) for side in "+-"}
     angle = notation.times.angle(notation.at(p + 1))
     frequency = notation.scene.frequency
@@ -110,7 +112,7 @@ def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Ex
 
 
 def _of_memory(notation: Notation) -> Iterator[tuple[str, sp.FunctionClass]]:
-    """Yield what each memory is called, and a small perturbation of it."""
+    """Yield the name of each memory, and the symbol of a small perturbation of it."""
     for i, memory in enumerate(notation.scene.memory):
         yield f"memory `{memory.symbol}`", sp.Function("zeta" if i == 0 else f"zeta_{i}")
 
@@ -121,9 +123,10 @@ def at_state(
     time: sp.Expr,
     derivative: Callable[[int], sp.Expr] | None = None,
 ) -> sp.Expr:
-    """Return a linear form with what it is of at a time put in.
+    """Return a linear form with the state at a time put in.
 
-    For one mass `derivative` may say what displacement and velocity are there: of one side.
+    For one mass, ``derivative(order)`` may give displacement and velocity there, on one side of
+    a switch.
     """
     values: dict[sp.Expr, sp.Expr] = {forcing: notation.times.forcing(time)}
     if notation.scene.body is None:
@@ -138,17 +141,17 @@ def at_state(
 
 
 def equation_of_motion(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
-    """Return both sides: what depends on the motion, and the force."""
+    """Return both sides of the equation of motion: terms of the motion, and the force."""
     q = linear_phase(notation.scene.cell[p])
     left = sum(factor * state(order, t) for order, factor in ((2, q.m), (1, q.c), (0, q.k)))
     return left, positive(q.f) + q.g * notation.times.forcing(t)
 
 
 def balanced(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr, bool]:
-    """Return ``(left, right, turned)``: what depends on the state, and what does not.
+    """Return ``(left, right, turned)`` of an equation: terms with the state, other terms.
 
-    Where nothing does, the forcing stands on the left.  They are equal where `expression` is
-    zero; `turned` if ``left <= right`` is what ``expression >= 0`` says.
+    Without the state, the forcing is on the left.  The sides are equal if `expression` is zero;
+    if `turned`, ``expression >= 0`` is ``left <= right``.
     """
     terms = sp.Add.make_args(sp.expand_mul(expression))
     moving = [q for q in terms if q.has(Rate, sp.Abs) or q.has(sp.core.function.AppliedUndef)]
@@ -162,6 +165,6 @@ def balanced(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr, bool]:
 
 
 def not_negative(expression: sp.Expr) -> sp.Expr:
-    """Return ``expression >= 0`` as a reader would write it."""
+    """Return ``expression >= 0`` with terms of the state on the left."""
     left, right, turned = balanced(expression)
     return (sp.Le if turned else sp.Ge)(left, right, evaluate=False)

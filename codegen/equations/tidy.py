@@ -1,4 +1,4 @@
-"""A condition by its unknowns: each with its factor, and like terms put together."""
+"""Conditions as sums of unknowns, each with its factor, with like terms collected."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
@@ -7,10 +7,10 @@ import sympy as sp
 from ..galerkin import Block, Condition
 from ..galerkin.terms import Term, terms
 
-#: What is done to the factor of an unknown before it is shown.
+#: Transforms the factor of an unknown before it is printed.
 Spelling = Callable[[sp.Expr], sp.Expr]
 
-#: One where the index of a sum is that of the condition, else zero: such a part leaves the sum.
+#: Kronecker delta of the indices of a sum and of the condition; its part leaves the sum.
 SAME = sp.Symbol("same")
 
 
@@ -20,7 +20,7 @@ def by_unknown(
     parameters: Iterable[sp.Symbol],
     spelling: Spelling,
 ) -> sp.Expr:
-    """Return a condition as a sum of unknowns, each times its factor, and what is left.
+    """Return a condition as a sum of unknowns, each times its factor, and a constant.
 
     Parameters
     ----------
@@ -28,9 +28,9 @@ def by_unknown(
     blocks : sequence of Block
         The unknowns.
     parameters : iterable of Symbol
-        What is put together in the factors: the parameters of the scene.
+        The parameters of the scene, which are collected in the factors.
     spelling : callable
-        Put on each factor before that.
+        Applied to each factor before that.
     """
     known = frozenset(parameters)
     whole: list[sp.Expr] = []
@@ -65,32 +65,32 @@ def _product(
 def neat(
     expression: sp.Expr, parameters: frozenset[sp.Symbol], unknown: sp.Expr = sp.S.One
 ) -> sp.Expr:
-    """Return a sum with like terms put together, times an unknown.
+    """Return a sum with like terms collected, times an unknown.
 
-    Terms are alike that differ in their numbers and indices, then those that differ in their
-    parameters.
+    First, terms that differ only in numbers and indices are added; then those that differ only
+    in parameters.
     """
-    ours: dict[tuple[sp.Expr, sp.Expr], sp.Expr] = {}
+    numbers: dict[tuple[sp.Expr, sp.Expr], sp.Expr] = {}
     for term in sp.Add.make_args(sp.expand(expression)):
         split: tuple[list[sp.Expr], ...] = ([], [], [])
         for factor in sp.Mul.make_args(term):
             split[_kind(factor, parameters)].append(factor)
         number, quantity, other = (sp.Mul(*factors) for factors in split)
         key = quantity, other
-        ours[key] = ours.get(key, sp.Integer(0)) + number
+        numbers[key] = numbers.get(key, sp.Integer(0)) + number
     like: dict[tuple[sp.Expr, sp.Expr], sp.Expr] = {}
-    for (quantity, other), number in ours.items():
+    for (quantity, other), number in numbers.items():
         sign, rest = _signed(sp.factor(number))
         like[rest, other] = like.get((rest, other), sp.Integer(0)) + sign * quantity
     return _multiplied(unknown, _entries_together(like))
 
 
-#: A number with indices, what is neither that nor a parameter, parameters, entries of tables.
+#: Four factors: numbers and indices; times and functions; parameters; entries of tables.
 Product = tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]
 
 
 def _entries_together(like: Mapping[tuple[sp.Expr, sp.Expr], sp.Expr]) -> list[Product]:
-    """Return products in which entries of tables with the same factor are one sum."""
+    """Return products in which entries of tables with the same factor are added."""
     found: dict[tuple[sp.Expr, sp.Expr, sp.Expr], sp.Expr] = {}
     for (rest, other), quantity in like.items():
         parts = sp.Mul.make_args(other)
@@ -103,7 +103,7 @@ def _entries_together(like: Mapping[tuple[sp.Expr, sp.Expr], sp.Expr]) -> list[P
 
 
 def _multiplied(unknown: sp.Expr, products: Sequence[Product]) -> sp.Expr:
-    """Return an unknown times a sum of products, with a common factor where that is shorter."""
+    """Return an unknown times a sum of products, with a common factor if that is shorter."""
     if len(products) == 1:
         rest, other, quantity, entries = products[0]
         return positive(sp.Mul(unknown, rest, other, _factored(quantity), entries))
@@ -127,7 +127,7 @@ def _brackets(product: sp.Expr) -> Iterator[sp.Expr]:
 
 
 def _divided(product: sp.Expr) -> bool:
-    """Whether a product is over a line with indices below it."""
+    """Return whether a product has a denominator with symbols."""
     below = (q for q in sp.Mul.make_args(product) if q.is_Pow and q.exp.is_negative)
     return any(q.free_symbols for q in below)
 
@@ -143,6 +143,7 @@ def _kind(factor: sp.Expr, parameters: frozenset[sp.Symbol]) -> int:
 
 
 def _signed(number: sp.Expr) -> tuple[int, sp.Expr]:
+    """Return the sign of an expression, and the expression without it."""
     return (-1, -number) if number.could_extract_minus_sign() else (1, number)
 
 
@@ -151,7 +152,7 @@ def _factored(quantity: sp.Expr) -> sp.Expr:
 
 
 def positive(product: sp.Expr) -> sp.Expr:
-    """Return a product whose brackets begin with as few minus signs as can be.
+    """Return a product with as few minus signs in its brackets as possible.
 
     Examples
     --------
@@ -172,7 +173,7 @@ def positive(product: sp.Expr) -> sp.Expr:
 
 
 def _negative(total: sp.Add) -> sp.Rational:
-    """Return which part of the terms of a sum have a minus sign."""
+    """Return the fraction of the terms of a sum that have a minus sign."""
     less = sum(term.could_extract_minus_sign() for term in total.args)
     return sp.Rational(less, len(total.args))
 

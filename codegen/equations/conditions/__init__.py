@@ -1,1 +1,1 @@
-"""The conditions of a scene in an expansion, for the reader: a file for each family of them."""
+"""The conditions of a scene in an expansion, to be printed; a file for each family of them."""

@@ -1,8 +1,8 @@
-"""Functions with a break beside a Fourier series, for the reader.
+"""Functions with a break added to a Fourier series, to be printed.
 
-In the record their coefficients are ``c2_flight``, their values at the ends of the phases and
-their integrals with harmonics are entries of tables.  Shown are ``beta_n(u)``, polynomials of
-Bernoulli or Euler, and the residual ``r_n(t)`` of each.
+In the record their coefficients are ``c2_flight``; their values at ends of phases and their
+integrals with harmonics are entries of tables.  Printed are ``beta_n(u)``, Bernoulli or Euler
+polynomials, and the residual ``r_n(t)`` of each.
 """
 
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ _n = sp.Symbol("n", integer=True, nonnegative=True)
 
 @dataclass(frozen=True)
 class Breaks:
-    """The functions with a break of some conditions; none, if there are none.
+    """The functions with a break in some conditions, if any.
 
     Parameters
     ----------
@@ -43,34 +43,31 @@ class Breaks:
 
     @classmethod
     def of(cls, conditions: GalerkinConditions, notation: Notation) -> "Breaks":
-        """Return the functions with a break that some conditions have.
-
-        They are those whose coefficients are unknown; a switch has no more than there are
-        unknowns.
-        """
+        """Return the functions with a break whose coefficients are unknowns of conditions."""
         symbols = {block.symbol for block in conditions.blocks}
         possible = hb_ck.Expansion.of(conditions.scene, len(symbols))
         return cls(notation, tuple((p, n) for p, n, c in possible.all() if c in symbols))
 
     @property
     def numbers(self) -> dict[str, str]:
-        """Numbers of the paper, those of the series alone where there are no functions."""
+        """Equation numbers of the paper, which has the series without functions."""
         return {"expansion": "" if self.orders else "3", "residual": "" if self.orders else "4"}
 
     @property
     def tests(self) -> dict[str, sp.Expr]:
-        """Further functions that the residual is orthogonal to: none."""
+        """Further test functions of the residual: none."""
         return {}
 
     def _word(self, p: int) -> str:
+        """Return the name of the phase that begins at switch `p`."""
         return self.notation.found[p].before
 
     def unknown(self, p: int, n: int) -> sp.Expr:
-        """Return the coefficient of a function."""
+        """Return the symbol of the coefficient of a function."""
         return sp.IndexedBase(f"c_{self._word(p)}", real=True)[n]
 
     def expansion(self) -> sp.Expr:
-        """Return what the functions add to the Fourier series."""
+        """Return the sum of the functions in the displacement."""
         return sp.Add(*(self.unknown(p, n) * self._function(p, n) for p, n in self.orders))
 
     def _function(self, p: int, n: int) -> sp.Expr:
@@ -101,7 +98,7 @@ class Breaks:
             yield Equation("", f"function of order {n}", sides)
 
     def residual(self, q: int) -> sp.Expr:
-        """Return what the functions add to the residual in phase `q`."""
+        """Return the sum of the functions' terms in the residual in phase `q`."""
         return sp.Add(*(self.unknown(p, n) * self._part(p, n) for p, n in self.orders))
 
     def _part(self, p: int, n: int) -> sp.Expr:
@@ -119,13 +116,13 @@ class Breaks:
             yield Equation("", title, sides, self.notation.during(q))
 
     def _value(self, n: int, part: sp.Expr) -> sp.Expr:
-        """Return ``beta_n``, a number where it is constant or at the ends of the cell."""
+        """Return ``beta_n``, as a number if it is constant or at the ends of the cell."""
         constant = part.is_number or n == 0
         value = beta(n, part, self.notation.times.sign) if constant else 0
         return value if constant else member("beta", n, part)
 
     def entries(self, expression: sp.Expr) -> sp.Expr:
-        """Return an expression with the tables written as shown."""
+        """Return an expression with entries of tables as they are printed."""
         values = {}
         for p, _ in self.orders:
             word = self._word(p)
@@ -149,7 +146,7 @@ class Breaks:
         return sp.IndexedBase(f"{name}_{self._word(p)}")[n, index]
 
     def integrals(self) -> Iterator[Equation]:
-        """Yield what the integrals with harmonics are."""
+        """Yield the definitions of the integrals with harmonics."""
         for p, n in self.orders:
             for name, f in (("G", sp.cos), ("H", sp.sin)):
                 inner = Inner(self._part(p, n), f(l * omega_0 * t))

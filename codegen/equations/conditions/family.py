@@ -1,4 +1,4 @@
-"""The conditions of a scene in an expansion, for the reader: what its families share."""
+"""The common part of all families of conditions, to be printed."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
@@ -18,7 +18,7 @@ from .functions import state
 class Family(ABC):
     """The equations of a scene whose unknowns are of one kind."""
 
-    #: Of the paper.
+    #: Section of the paper.
     section = ""
 
     def __init__(self, conditions: GalerkinConditions) -> None:
@@ -28,43 +28,43 @@ class Family(ABC):
     @staticmethod
     @abstractmethod
     def fits(conditions: GalerkinConditions) -> bool:
-        """Whether the unknowns of some conditions are of this kind."""
+        """Return whether the unknowns of some conditions are of this kind."""
 
     @abstractmethod
     def equations(self) -> Iterator[Equation]:
-        """Yield the expansion, the residual, the conditions, and what they look up."""
+        """Yield the expansion, the residual, the conditions, and the tables they use."""
 
     def jacobian(self) -> Iterator[Equation]:
-        """Yield the derivatives by the times of what the conditions look up, if shown."""
+        """Yield the derivatives of the tables by the times; none by default."""
         yield from ()
 
     def closed(self, condition: Condition) -> sp.Expr:
-        """Return the closed form of a condition: itself, if it is one."""
+        """Return the closed form of a condition, by default the condition itself."""
         return condition.expression
 
     def tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
-        """Return the left side of a condition of orthogonality, if the title is not enough."""
+        """Return the inner product of a condition of orthogonality; () by default."""
         return ()
 
     def title(self, condition: Condition) -> str:
-        """Return what a condition says."""
+        """Return the title of a condition."""
         return condition.title
 
     @property
     def numbers(self) -> Mapping[str, str]:
-        """The numbers of the paper by the names of conditions."""
+        """Equation numbers of the paper by names of conditions."""
         return self.notation.numbers
 
     @cached_property
     def statements(self) -> Mapping[str, sp.Expr]:
-        """The statements on the motion that are zero, by the names of conditions."""
+        """Expressions in the motion that are zero by conditions, by their names."""
         return statements(self.notation)
 
     @cached_property
     def rows(self) -> tuple[Equation, ...]:
-        """Each condition, from its statement to its closed form, but for the period."""
-        own = (q for q in self.conditions.conditions if q.name != "cell")
-        return tuple(map(self._row, own))
+        """Each condition, from its statement to its closed form, except that of the period."""
+        conditions = (q for q in self.conditions.conditions if q.name != "cell")
+        return tuple(map(self._row, conditions))
 
     def _row(self, condition: Condition) -> Equation:
         known = self.statements.get(condition.name)
@@ -75,12 +75,12 @@ class Family(ABC):
         return Equation(number, self.title(condition), (*left, closed, sp.Integer(0)), where)
 
     def spelled(self, expression: sp.Expr) -> sp.Expr:
-        """Return an expression with the unknowns as they are shown."""
+        """Return an expression with the unknowns as they are printed."""
         return expression.xreplace({q.symbol: shown(q) for q in self.conditions.blocks})
 
 
 def shown(block: Block) -> sp.Expr:
-    """Return an unknown as it is shown: what is numbered, ``c2_flight``, with an index."""
+    """Return an unknown as it is printed; one with a number, ``c2_flight``, with an index."""
     name, _, word = block.name.partition("_")
     letters = name.rstrip("0123456789")
     if not word or letters == name:
@@ -89,7 +89,7 @@ def shown(block: Block) -> sp.Expr:
 
 
 def statements(notation: Notation) -> dict[str, sp.Expr]:
-    """Return continuity, laws of the velocity, events and memory; of a body, its events."""
+    """Return continuity, jump laws, events and memories, by name; for a body only events."""
     found: dict[str, sp.Expr] = {}
     for p, phase in enumerate(notation.scene.phases):
         found[f"event_{phase.name}"] = event(notation, p)
@@ -118,7 +118,7 @@ def statements(notation: Notation) -> dict[str, sp.Expr]:
 
 
 def _jump(notation: Notation, p: int, order: int) -> sp.Expr:
-    """Return a derivative where phase `p` begins, less that where the one before it ends."""
+    """Return the jump of a derivative at the begin of phase `p`."""
     if p == 0:
         end = notation.end(len(notation.found) - 1, order)
         return notation.start(p, order) - notation.scene.sign * end

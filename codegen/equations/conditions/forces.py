@@ -1,4 +1,4 @@
-"""Conditions on the contact forces of a body for the reader."""
+"""Conditions on the contact forces of a body, to be printed."""
 
 from collections.abc import Iterable, Iterator
 
@@ -16,17 +16,17 @@ z = sp.Function("z_j")
 
 
 class Forces(Family):
-    """The equations of a body whose contact forces are expanded; its tables say their rates."""
+    """The equations of a body whose contact forces are expanded."""
 
     conditions: BodyConditions
 
     @staticmethod
     def fits(conditions: GalerkinConditions) -> bool:
-        """Whether the conditions are those of a body."""
+        """Return whether the conditions are those of a body."""
         return isinstance(conditions, BodyConditions)
 
     def equations(self) -> Iterator[Equation]:
-        """Yield the body by its poles, the force, the conditions, what they look up."""
+        """Yield the body by its poles, the forces, the conditions, and the tables they use."""
         yield from self._poles()
         yield from self._shown(self.conditions.expansion)
         yield from self.rows

@@ -1,4 +1,4 @@
-"""Conditions on a Fourier series for the reader: expansion, residual, orthogonality."""
+"""Conditions on a Fourier series, to be printed: expansion, residual, orthogonality."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -31,12 +31,12 @@ from .functions import (
 from .one_function import OneFunction
 from .overlaps import Overlaps
 
-#: Sections of the paper, without and with functions beside the series.
+#: Sections of the paper, without and with functions added to the series.
 SECTIONS = ("3.1", "3.2")
 
 
 class Fourier(Family):
-    """The equations of a scene as a Fourier series, with functions beside it or without."""
+    """The equations of a scene by a Fourier series, with or without further functions."""
 
     def __init__(self, conditions: GalerkinConditions) -> None:
         super().__init__(conditions)
@@ -51,11 +51,11 @@ class Fourier(Family):
 
     @staticmethod
     def fits(conditions: GalerkinConditions) -> bool:
-        """Whether the unknowns are those of a Fourier series."""
+        """Return whether the unknowns are those of a Fourier series."""
         return any(block.symbol == a for block in conditions.blocks)
 
     def equations(self) -> Iterator[Equation]:
-        """Yield the expansion, the residual, the conditions, and what they look up."""
+        """Yield the expansion, the residual, the conditions, and the tables they use."""
         number = self.beside.numbers["expansion"]
         yield Equation(number, "expansion", (x(t), self._series() + self.beside.expansion()))
         yield Equation("", "frequency", (omega_0, 2 * sp.pi / T))
@@ -64,18 +64,20 @@ class Fourier(Family):
         yield Equation("8", "inner product", self._inner_product())
         yield from self.rows
         yield from self._impulses()
-        yield from self._looked_up()
+        yield from self._tables()
         yield from self.beside.integrals()
 
     def jacobian(self) -> Iterator[Equation]:
-        """Yield the derivatives by the times of what the conditions look up."""
-        for row in self._looked_up():
+        """Yield the derivatives of the tables by the times."""
+        for row in self._tables():
             yield from self._rates(row)
 
-    def _looked_up(self) -> Iterator[Equation]:
+    def _tables(self) -> Iterator[Equation]:
+        """Yield the definitions of the tables that the conditions use."""
         return self.overlaps.definitions(side for row in self.rows for side in row.sides)
 
     def _rates(self, row: Equation) -> Iterator[Equation]:
+        """Yield the derivatives of one table by the times of the switches."""
         notation = self.notation
         turns = 2 if notation.times.sign == 1 else 1
         name, value = row.sides[0], row.sides[-1]
@@ -99,7 +101,7 @@ class Fourier(Family):
         return a0 / 2 if self.notation.times.sign == 1 else sp.Integer(0)
 
     def _residual(self) -> Iterator[Equation]:
-        """Yield (4) phase by phase."""
+        """Yield the residual (4) of each phase."""
         sine, cosine = (self._wave(f, n) for f in (sp.sin, sp.cos))
         rate = self.harmonics.times.harmonic(n) * omega_0
         number = self.beside.numbers["residual"]
@@ -121,7 +123,7 @@ class Fourier(Family):
         return Inner(first, second), sp.Add(*parts, evaluate=False)
 
     def closed(self, condition: Condition) -> sp.Expr:
-        """Return a condition by its unknowns."""
+        """Return a condition as a sum of unknowns with their factors."""
         return by_unknown(condition, self.conditions.blocks, self.scene.symbols, self._factor)
 
     def _factor(self, factor: sp.Expr) -> sp.Expr:
@@ -129,7 +131,7 @@ class Fourier(Family):
         return self.beside.entries(self.overlaps.spelled(moved))
 
     def title(self, condition: Condition) -> str:
-        """Return what a condition says, with the harmonics of this scene."""
+        """Return the title of a condition, with the harmonics of this scene."""
         if condition.number == "5":
             return "residual, orthogonal to the constant"
         if condition.index is None:
@@ -140,7 +142,7 @@ class Fourier(Family):
         return f"residual, orthogonal to `{name}({angle} omega_0 t)`".replace("*", " ")
 
     def tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
-        """Return the left side of an orthogonality condition, impulses included."""
+        """Return the inner product of an orthogonality condition, with impulses."""
         tests = self.beside.tests | {
             "by_one": sp.Integer(1),
             "by_sine": self._wave(sp.sin, j),

@@ -1,4 +1,4 @@
-"""Functions that are shown and not evaluated: derivatives at a time, families with an index."""
+"""Functions that are printed unevaluated: derivatives at a time, families with an index."""
 
 from typing import Any
 
@@ -23,7 +23,7 @@ class Rate(sp.Function):  # type: ignore[misc]
 
     @property
     def times_differentiated(self) -> sp.Expr:
-        """How often, by which terms are put in order."""
+        """The order of the derivative, by which terms are sorted."""
         return self.args[0]
 
     def _pretty(self, printer: Any) -> prettyForm:

@@ -1,4 +1,4 @@
-"""The one function of class C^1 beside a Fourier series, (11) to (13), for the reader."""
+"""One function of class C^1 added to a Fourier series, (11) to (13), to be printed."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ G, q = sp.Function("G")(t), sp.Function("q")(t)
 
 @dataclass(frozen=True)
 class OneFunction:
-    """The function of `hb_c1`; it is shown as `Breaks` are."""
+    """The function of `hb_c1`, with the interface of `Breaks`."""
 
     notation: Notation
     numbers: ClassVar = {"expansion": "11", "residual": "13"}
@@ -33,11 +33,11 @@ class OneFunction:
 
     @staticmethod
     def is_in(conditions: GalerkinConditions) -> bool:
-        """Whether the coefficient of the function is an unknown of some conditions."""
+        """Return whether the coefficient of the function is an unknown of some conditions."""
         return any(block.symbol == hb_c1.c1 for block in conditions.blocks)
 
     def expansion(self) -> sp.Expr:
-        """Return what the function adds to the Fourier series."""
+        """Return the term of the function in the displacement."""
         return hb_c1.c1 * G
 
     def definitions(self) -> Iterator[Equation]:
@@ -53,7 +53,7 @@ class OneFunction:
         return -t / T, u**2 * (3 - 2 * u) - t / T
 
     def residual(self, p: int) -> sp.Expr:
-        """Return what the function adds to the residual in phase `p`."""
+        """Return the term of the function in the residual in phase `p`."""
         return hb_c1.c1 * q if p else sp.Integer(0)
 
     def residuals(self, p: int, phase: LinearPhase) -> Iterator[Equation]:
@@ -63,11 +63,11 @@ class OneFunction:
         yield Equation("", "residual of the function", (q, value), self.notation.during(p))
 
     def entries(self, expression: sp.Expr) -> sp.Expr:
-        """Return an expression as it is: the integrals are shown as they are called."""
+        """Return an expression unchanged: its integrals are printed by their symbols."""
         return expression
 
     def integrals(self) -> Iterator[Equation]:
-        """Yield what the integrals with harmonics are."""
+        """Yield the definitions of the integrals with harmonics."""
         for base, f in ((hb_c1.BY_COSINE, sp.cos), (hb_c1.BY_SINE, sp.sin)):
             sides = (base[l], Inner(q, f(l * omega_0 * t)))
             yield Equation("", "integral of the residual with a harmonic", sides)

@@ -1,8 +1,8 @@
-"""Integrals of harmonics over single phases, in which those over a cell are shown.
+"""Integrals of harmonics over single phases, in terms of which those over a cell are printed.
 
-A cell integral of ``cos(l omega_0 t)`` with a weight that is constant on each phase is that of
-one phase's weight, over the whole cell, where harmonics are orthogonal, and the differences of
-the others to it, each over its phase: ``C_l`` and ``S_l`` of that phase, as in the paper.
+The integral over a cell of ``cos(l omega_0 t)``, with a weight that is constant on each phase,
+is split: the weight of one phase over the whole cell, where harmonics are orthogonal, and the
+differences of the other weights from it over their phases, ``C_l`` and ``S_l`` as in the paper.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -33,7 +33,7 @@ class Overlaps:
     weights : mapping of str to tuple
         Each coefficient of the equation of motion, on each phase.
     base : int
-        The phase whose weights are taken over the whole cell: the plainest.
+        The phase whose weights are taken over the whole cell, the one with the simplest.
     """
 
     notation: Notation
@@ -51,7 +51,7 @@ class Overlaps:
         return cls(notation, weights, sizes.index(min(sizes)))
 
     def spelled(self, expression: sp.Expr) -> sp.Expr:
-        """Return an expression with the tables of the cell written in those of phases."""
+        """Return an expression with tables of the cell written in those of phases."""
         tables = {f"{wave}_{name}": (wave, name) for wave in "CS" for name in self.weights}
         values = {
             entry: self._entry(*tables[str(entry.base.label)], entry.indices[0])
@@ -76,7 +76,7 @@ class Overlaps:
         return cell * _is_zero(index) if wave == "C" else sp.Integer(0)
 
     def definitions(self, shown: Iterable[sp.Expr]) -> Iterator[Equation]:
-        """Yield what the integrals are that stand in some expressions."""
+        """Yield the definitions of the integrals that occur in some expressions."""
         there = {str(q.base.label) for e in shown for q in e.atoms(sp.Indexed)}
         for p, phase in enumerate(self.notation.scene.phases):
             for wave, function in (("C", sp.cos), ("S", sp.sin)):
@@ -96,7 +96,7 @@ class Overlaps:
         yield Equation("", title, (table[0], zero))
 
     def _primitive(self, f: type[sp.Function], time: sp.Expr) -> sp.Expr:
-        """Return the integral of a harmonic up to a time; at the end of the cell a number."""
+        """Return the primitive of a harmonic at a time; at the end of the cell a number."""
         whole = sp.pi * l * (2 if self.notation.times.sign == 1 else 1)
         angle = whole if time == self.notation.cell else l * omega_0 * time
         wave = sp.sin(angle) if f is sp.cos else -sp.cos(angle)

@@ -1,4 +1,4 @@
-"""Conditions on a motion that is a polynomial on each phase, for the reader."""
+"""Conditions on a motion that is a polynomial on each phase, to be printed."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -37,15 +37,15 @@ from .functions import (
     x,
 )
 
-#: Numbers of the paper; but for (18) they are of functions of class C^1.
+#: Equation numbers of the paper; those but (18) are for functions of class C^1.
 NUMBERS = {"acceleration": "15", "expansion": "16", "residual": "17", "tests": "18"}
 
-#: Of the conditions where the first phase begins: the motion repeats.
+#: Equation numbers of the conditions of periodicity, at the begin of the first phase.
 REPEATS = {"displacement": "19", "velocity": "20"}
 
 TIMES = {1: "once", 2: "twice"}
 
-#: What no test sees of the residual.
+#: The part of the residual that is orthogonal to all tests.
 S = sp.Function("S")(t)
 
 
@@ -65,12 +65,12 @@ class Polynomial(Family):
 
     @staticmethod
     def fits(conditions: GalerkinConditions) -> bool:
-        """Whether each phase begins in a state that is unknown."""
+        """Return whether the state at the begin of each phase is unknown."""
         names = {block.name for block in conditions.blocks}
         return all(f"x_{phase.name}" in names for phase in conditions.scene.phases)
 
     def equations(self) -> Iterator[Equation]:
-        """Yield the expansion, the residual, the conditions, and what they look up."""
+        """Yield the expansion, the residual, the conditions, and the moments they use."""
         yield from self._expansion()
         yield from self._basis()
         yield from self._residual()
@@ -79,7 +79,7 @@ class Polynomial(Family):
         yield from map(_moment, self.moments)
 
     def jacobian(self) -> Iterator[Equation]:
-        """Yield the derivatives by the times of what the conditions look up."""
+        """Yield the derivatives of the moments by the times."""
         yield from (_moment(q, turned=True) for q in self.moments)
         for q in self.moments:
             for time in self.notation.times.unknown:
@@ -89,7 +89,7 @@ class Polynomial(Family):
                     yield Equation("", "time derivative", sides)
 
     def _number(self, name: str, p: int) -> str:
-        """Return the number of an equation of phase `p`, which is of class C^1 in the paper."""
+        """Return the equation number of the paper, if phase `p` is of class C^1 as there."""
         return NUMBERS[name] if self.notation.found[p].k == 1 else ""
 
     def _expansion(self) -> Iterator[Equation]:
@@ -114,7 +114,7 @@ class Polynomial(Family):
         return sp.Sum(q.a(n) * function, (n, 0, q.count - 1))
 
     def _functions(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-        """Return ``Q_n``, its slope and its curvature, ``P_n*``."""
+        """Return ``Q_n`` and its first and second derivative, ``P_n*``."""
         return TwiceIntegrated(n, u), member("Q'", n, u), ShiftedLegendre(n, u)
 
     def _basis(self) -> Iterator[Equation]:
@@ -159,7 +159,7 @@ class Polynomial(Family):
                 yield from self._left(p, self.rest)
 
     def _left(self, p: int, rest: Rest) -> Iterator[Equation]:
-        """Yield orthogonality to all tests of a phase, and what it leaves of the residual."""
+        """Yield orthogonality to all tests of a phase, and the residual that it allows."""
         phase, switch = self.scene.phases[p], self.notation.found[p]
         name, rows = phase.name, polynomials.rows_of(self.trial[p], switch)
         tested = (Inner(R, member(f"W_{name}", l, u)), sp.Integer(0))
@@ -178,15 +178,15 @@ class Polynomial(Family):
         yield Equation("", words, (S, mass * sp.Add(*parts)), self.notation.during(p))
 
     def closed(self, condition: Condition) -> sp.Expr:
-        """Return a condition by its unknowns."""
+        """Return a condition as a sum of unknowns with their factors."""
         blocks, symbols = self.conditions.blocks, self.scene.symbols
         return by_unknown(condition, blocks, symbols, lambda factor: factor)
 
     @property
     def numbers(self) -> Mapping[str, str]:
-        """The numbers of conditions: of the scene, and that the motion repeats.
+        """Equation numbers of the scene, and of periodicity.
 
-        Half a period later it does not, and at another class it does so in another way.
+        The latter apply only if the cell is a whole period and begins with class C^1.
         """
         found = dict(self.notation.numbers)
         first = self.notation.found[0]
@@ -195,12 +195,12 @@ class Polynomial(Family):
         return found
 
     def title(self, condition: Condition) -> str:
-        """Return what a condition says, its degree marked."""
+        """Return the title of a condition, with its degree marked."""
         head, _, index = condition.title.rpartition(" ")
         return f"{head} `{index}`" if condition.index is not None else condition.title
 
     def tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
-        """Return the left side of an orthogonality condition."""
+        """Return the inner product of an orthogonality condition."""
         name, kind, index = re.findall(r"(.+)_(by|rest)_(\w+)", condition.name)[0]
         p = [phase.name for phase in self.scene.phases].index(name)
         degree = sp.Integer(index) if condition.index is None else condition.index
@@ -212,12 +212,12 @@ class Polynomial(Family):
 
 
 def _factors(name: str) -> sp.IndexedBase:
-    """Return what the factors of the polynomials that no test of a phase sees are called."""
+    """Return the symbol of the coefficients of polynomials orthogonal to tests of a phase."""
     return sp.IndexedBase(f"tau_{name}", real=True)
 
 
 def _moment(found: Moments, turned: bool = False) -> Equation:
-    """Return what the moments of the forcing are, or those a quarter turn on."""
+    """Return the definition of the moments of the forcing, or of those with theta + pi/2."""
     kappa, theta = found.kappa, found.theta + (sp.pi / 2 if turned else 0)
     wave = sp.cos(kappa * u + theta)
     sign = -1 if wave.could_extract_minus_sign() else 1
