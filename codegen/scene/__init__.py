@@ -1,10 +1,10 @@
-"""What an oscillator is, as data, and what SymPy checks and deduces of it.
+"""An oscillator as data, with what SymPy checks and deduces of it.
 
-Input: a scene file's parameters, phases and events.  Output: a `Scene` that has been checked:
-units balance, events and demands are linear in the state, every symbol is a parameter, and the
-class of continuity at each switch is deduced from the equations of motion.
+Input: a scene file's parameters, phases and events.  Output: a checked `Scene`: units balance,
+events and demands are linear in the state, every symbol is a parameter, and the class of
+continuity at each switch is deduced from the equations of motion.
 
-Nothing here knows an expansion, and nothing names an oscillator.
+No expansion is known here, and no oscillator is named.
 """
 
 from .bodies.body import Body

@@ -1,4 +1,4 @@
-"""What is checked of a scene when it is made; each mistake is one line that names the field."""
+"""Checks of a scene when it is made; each error is one line that names the field."""
 
 from collections.abc import Iterable, Mapping
 
@@ -16,7 +16,7 @@ from .scales import scales
 from .smoothness import switches
 from .units import balance, dimension_of, spelled
 
-#: The units that a scene may say, and what they are in SI.
+#: The scales that a scene may give, and their SI units.
 SCALES = {"mass": "kg", "time": "s", "length": "m"}
 
 
@@ -66,7 +66,7 @@ def _check_motion(scene: SceneData) -> None:
 
 
 def _check_motions(scene: SceneData) -> None:
-    """Check each motion of a scene by itself, and what they must have in common."""
+    """Check each motion of a scene by itself, and that their scales agree."""
     if scene.phases:
         raise SceneError("motions: got phases beside them, expected only one of both")
     for name in scene.motions:
@@ -93,6 +93,7 @@ def _check_motions(scene: SceneData) -> None:
 
 
 def _check_phases(scene: SceneData) -> None:
+    """Check that there are phases with different names, one of them free."""
     if not scene.phases:
         raise SceneError("phases: got none, expected at least one")
     names = [phase.name for phase in scene.phases]
@@ -105,6 +106,7 @@ def _check_phases(scene: SceneData) -> None:
 
 
 def _check_frequency(scene: SceneData) -> None:
+    """Check that the frequency is a positive parameter in rad/s."""
     if scene.frequency is None:
         return
     found = [q for q in scene.parameters if q.symbol == scene.frequency]
@@ -117,6 +119,7 @@ def _check_frequency(scene: SceneData) -> None:
 
 
 def _check_whole(scene: SceneData, units: Units) -> None:
+    """Check the requirements, scales and rough durations of a scene."""
     known = scene.symbols
     for words, expression in scene.requires.items():
         with named(f"requires {words!r}"):
@@ -142,6 +145,7 @@ def _check_whole(scene: SceneData, units: Units) -> None:
 
 
 def _check_start(scene: SceneData, units: Units) -> None:
+    """Check the condition on the begin of the first phase."""
     if not scene.start:
         return
     if scene.frequency is not None:
@@ -155,6 +159,7 @@ def _check_start(scene: SceneData, units: Units) -> None:
 
 
 def _check_used(scene: SceneData) -> None:
+    """Check that every parameter and memory, and the forcing, occurs somewhere."""
     phases = [phase for motion in scene.each_motion for phase in motion.phases]
     driven = [e for phase in phases for e in (*laws(phase), phase.ends.zero)]
     driven += [forcing] if scene.body is not None and "forcing" in scene.body.arrays else []
@@ -180,7 +185,7 @@ def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
 def _check_dimension(
     expression: sp.Expr, units: Units, unit: str, known: Iterable[sp.Symbol]
 ) -> None:
-    """Check that an expression is in a unit, and in known symbols alone."""
+    """Check that an expression has a unit, and no symbols but known ones."""
     found = balance(sp.expand(expression), units)
     if found != dimension_of(unit):
         raise SceneError(f"{expression} is in {spelled(found)}, expected {unit}")

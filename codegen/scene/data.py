@@ -1,4 +1,4 @@
-"""The types of a scene: symbols, parameters, phases with what ends them, and the whole."""
+"""The types of a scene: symbols, parameters, events, phases, memories, the whole."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -15,7 +15,7 @@ t, x, v, a = sp.symbols("t x v a", real=True)
 #: ``cos(Omega t + phi)``, of amplitude one; ``t = 0`` at the first switch, ``phi`` unknown.
 forcing = sp.Symbol("forcing", real=True)
 
-#: What is not a parameter, with its unit.
+#: Symbols that are not parameters, with their units.
 STATE_UNITS = {x: "m", v: "m/s", a: "m/s^2", forcing: "", t: "s"}
 
 
@@ -26,16 +26,16 @@ class Parameter:
     Parameters
     ----------
     name : str
-        As users type it: ``"mass"``; a flag is the same with dashes.
+        Name for users: ``"mass"``; the flag has dashes for underscores.
     symbol : Symbol
-        In the equations.  Its assumptions are the bounds: positive, nonnegative or real.  Some
-        names are taken, such as `N`, the order, and what begins with ``at_``.
+        Symbol in the equations.  Its assumptions are the bounds: positive, nonnegative or real.
+        Some names are reserved, such as `N`, the order.
     unit : str
-        SI, such as ``"N s/m"``; empty for a pure number.
+        SI unit, such as ``"N s/m"``; empty for a pure number.
     default : float
         In that unit.
     what : str
-        What it is, in a few words.
+        Description in a few words.
     most : float, optional
         Largest value allowed.
     """
@@ -50,17 +50,19 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Event:
-    """What ends a phase.
+    """The event that ends a phase, and the switch there.
 
     Parameters
     ----------
     zero : Expr
-        Linear in `x`, `v` (before the switch) and `forcing`; zero where the phase ends.
+        Event function, zero at the end of the phase; linear in `x`, `v` (before the switch)
+        and `forcing`.
     jump : mapping
-        What the switch makes of the velocity: ``{v: -r * v}``, or ``{v: 0}`` into a phase
-        that is held at rest; empty where it is continuous.
+        Velocity after the switch: ``{v: -r * v}``, or ``{v: 0}`` into a phase that is held at
+        rest; empty if it is continuous.
     demands : mapping of str to Expr
-        What must not be negative at the switch, in the state before it, as those of a phase.
+        Expressions that must not be negative at the switch, in the state before it, by words;
+        as for a phase.
     """
 
     zero: sp.Expr
@@ -77,16 +79,16 @@ class Phase:
     name : str
         ``"slip"``.
     equation : Expr
-        The equation of motion, zero: linear in `x`, `v`, `a` and `forcing`.  Of a `Body` the
-        law of its contact, linear in its `force` as well; of several, a tuple of laws.
+        Zero by the equation of motion; linear in `x`, `v`, `a` and `forcing`.  For a `Body` the
+        law of its contact, linear in its `force` as well; for several contacts a tuple of laws.
     ends : Event
-        What ends it.
+        The event that ends it.
     demands : mapping of str to Expr
-        What must not be negative while it lasts, by the words that say so; linear in `x`,
+        Expressions that must not be negative throughout the phase, by words; linear in `x`,
         `v`, `forcing`, or a bound less the ``Abs`` of such an expression.
     held : Expr, optional
-        The velocity at which a constraint holds the mass: then `equation` is `a`, and the
-        phase before it must lead to this velocity, by its event or by its jump.
+        The velocity prescribed by a constraint.  Then `equation` is `a`, and the phase before
+        must lead to this velocity, by its event or by its jump.
     """
 
     name: str
@@ -103,14 +105,14 @@ class Memory:
     Parameters
     ----------
     symbol : Symbol
-        In the equations, real; it holds from the switch that sets it to the next that does.
+        Symbol in the equations, real; its value holds until it is set again.
     at : str
-        The phase whose beginning sets it.
+        The phase whose begin sets it.
     value : Expr
-        What it is set to: linear in the state there, `x`, `v` (after the switch), `forcing`;
-        a length over a power of time.
+        The value it is set to, linear in the state there, `x`, `v` (after the switch) and
+        `forcing`; a length over a power of time.
     what : str
-        What it is, in a few words.
+        Description in a few words.
     """
 
     symbol: sp.Symbol
@@ -121,7 +123,7 @@ class Memory:
 
 @dataclass(frozen=True)
 class SceneData:
-    """The fields of a `Scene`, not checked yet, and what follows from them at once."""
+    """The fields of a `Scene`, unchecked, and properties that follow from them directly."""
 
     name: str
     title: str
@@ -147,21 +149,21 @@ class SceneData:
 
     @property
     def sign(self) -> int:
-        """What the motion is multiplied by from one cell to the next: 1 or -1."""
+        """The next cell is this times the cell: -1 if the cell is half a period, else 1."""
         return -1 if self.half_period else 1
 
     @property
     def label(self) -> str:
-        """Its name, and that of the motion where there are several."""
+        """Its name, and that of the motion if there are several."""
         return f"{self.name}, {self.motion}" if self.motion else self.name
 
     @property
     def each_motion(self) -> tuple[Self, ...]:
-        """The scene once for each of its motions, as if there were no other; itself if one."""
+        """Its motions, each as a scene; itself if it has only one."""
         return tuple(map(self.of_motion, self.motions)) or (self,)
 
     def of_motion(self, name: str) -> Self:
-        """Return the scene with one of its motions alone."""
+        """Return one of its motions as a scene."""
         made: dict[str, Self] = self.__dict__.setdefault("_made", {})
         if name not in made:
             guess = self.guess.get(name, ()) if isinstance(self.guess, Mapping) else ()
@@ -173,10 +175,10 @@ class SceneData:
 
     @cached_property
     def cell(self) -> tuple[Phase, ...]:
-        """The phases with the values of the memory that they have there.
+        """The phases with memories expressed by the values set in this cell.
 
-        Before the switch that sets it, a phase has the value of the cell before, which is this
-        one's times `sign`.
+        Before the switch that sets a memory, its value is that of the cell before: `sign` times
+        that of this cell.
         """
         changes: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in self.phases]
         names = [phase.name for phase in self.phases]
@@ -187,7 +189,7 @@ class SceneData:
 
 
 def with_values(phase: Phase, values: Mapping[sp.Symbol, sp.Expr]) -> Phase:
-    """Return a phase with other values of the state or the memory, but for its jumps."""
+    """Return a phase with symbols of the state or memory replaced, except in its jumps."""
     if all(symbol == value for symbol, value in values.items()):
         return phase
 

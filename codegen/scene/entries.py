@@ -11,15 +11,12 @@ from .bodies.law import laws
 from .data import Event, Memory, Parameter, Phase, SceneData
 from .error import INSTEAD, SceneError, named
 
-#: What a number must not be, anywhere in an expression.
+#: Numbers that are not allowed anywhere in an expression.
 _NO_NUMBERS = (sp.I, sp.nan, sp.oo, -sp.oo, sp.zoo)
 
 
 def check_entries(scene: SceneData) -> None:
-    """Check that every field holds what its type says.
-
-    A `SceneError` names the first that does not.
-    """
+    """Check the type of every field; a `SceneError` names the first that is wrong."""
     for name in ("name", "title", "source"):
         _expect(name, getattr(scene, name), str, "text")
     if any(mark in scene.title for mark in ('"""', "\\", "\n")):
@@ -60,7 +57,7 @@ def _expect(field: str, value: object, kind: type, words: str) -> None:
 
 
 def _shown(value: object) -> str:
-    """Return a value for a message: short, or only of what type it is."""
+    """Return a value for a message, or only its type if it is long."""
     text = repr(value)
     return text if len(text) < 40 and "\n" not in text else f"a {type(value).__name__}"
 
@@ -123,7 +120,7 @@ def _check_mapping(field: str, value: object, texts: bool = True) -> None:
 
 
 def _check_expression(field: str, value: object) -> None:
-    """Check what stands in an equation: finite, real, of symbols and no functions of time."""
+    """Check an expression: finite and real, in symbols, without functions of time."""
     if isinstance(value, sp.Equality):
         raise SceneError(f"{field}: got an equation, expected one side of it, the other zero")
     if isinstance(value, tuple | list | sp.MatrixBase):
@@ -143,6 +140,6 @@ def _check_expression(field: str, value: object) -> None:
 
 
 def _of_the_past(function: sp.Expr) -> bool:
-    """Whether a function of time is of more than this moment: a delay, an integral."""
+    """Return whether a function depends on earlier times: a delay, an integral."""
     delay = isinstance(function, AppliedUndef) and isinstance(function.args[0], sp.Add)
     return delay or isinstance(function, sp.Integral)

@@ -1,4 +1,4 @@
-"""Mistakes in a scene, in one line: of a field, or of a system that no scene can be."""
+"""Errors in a scene, in one line: in a field, or for a system that cannot be a scene."""
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
@@ -8,24 +8,24 @@ import sympy as sp
 
 from .data import a, forcing, t, v, x
 
-#: What a scene can be, and what others are for.
+#: Which systems can be a scene, and which tools are for others.
 INSTEAD = (
     "a scene is one mass whose phases are linear in x, v and a, forced by one cosine; for "
     "other systems integrate from event to event (scipy.integrate.solve_ivp with events) or "
     "use a continuation code such as COCO or AUTO"
 )
 
-#: Functions with branches: on each they are what one argument is, or a number.
+#: Functions with branches, on each of which they are an argument or a number.
 _BRANCHES = (sp.Abs, sp.sign, sp.Heaviside, sp.Max, sp.Min, sp.Piecewise)
 
 
 class SceneError(ValueError):
-    """A scene that cannot be: the message names the field, what was found and expected."""
+    """An error in a scene: the message names the field, what was found and expected."""
 
 
 @contextmanager
 def named(field: str) -> Iterator[None]:
-    """Put the name of the field before what is wrong with it."""
+    """Put the name of a field before the message of a `SceneError` in the ``with`` block."""
     try:
         yield
     except SceneError as error:
@@ -36,14 +36,17 @@ def named(field: str) -> Iterator[None]:
 def check_kind(expression: sp.Expr, memory: Sequence[sp.Symbol], modulus: bool = False) -> None:
     """Check that time enters by `forcing` alone, and state and memory linearly.
 
-    A `SceneError` says what is not so, and what a scene can be.
-
     Parameters
     ----------
     expression : Expr
     memory : sequence of Symbol
     modulus : bool
-        Whether an ``Abs`` may stand there, as in a demand.
+        Whether an ``Abs`` is allowed, as in a demand.
+
+    Raises
+    ------
+    SceneError
+        If it is not so, with the term that is wrong.
     """
     times = {q for q in expression.free_symbols if q.name == t.name}
     if times:
@@ -56,16 +59,19 @@ def check_kind(expression: sp.Expr, memory: Sequence[sp.Symbol], modulus: bool =
 
 
 def check_linear(expression: sp.Expr, symbols: Sequence[sp.Symbol], expected: str = "") -> None:
-    """Check that an expression is linear in symbols together.
-
-    A `SceneError` names a term that is not, and the symbols in it.
+    """Check that an expression is jointly linear in symbols.
 
     Parameters
     ----------
     expression : Expr
     symbols : sequence of Symbol
     expected : str
-        What to say of a term that is not; without it, what it is and what to do with it.
+        End of the message; by default it explains the kind of term, and what to do with it.
+
+    Raises
+    ------
+    SceneError
+        If it is not, with a nonlinear term and the symbols in it.
     """
     expanded = sp.expand(expression)
     if not _is_linear(expanded, symbols):
@@ -79,7 +85,7 @@ def _is_linear(expression: sp.Expr, symbols: Iterable[sp.Symbol]) -> bool:
 
 
 def _not_linear(term: sp.Expr, symbols: list[sp.Symbol], expected: str) -> str:
-    """Return what is wrong with a term that is not linear in these symbols."""
+    """Return the message for a term that is not linear in these symbols."""
     found = f"{term} is not linear in {' and '.join(map(str, symbols))}"
     if expected:
         return f"{found}, {expected}"
@@ -94,7 +100,7 @@ def _not_linear(term: sp.Expr, symbols: list[sp.Symbol], expected: str) -> str:
 
 
 def _on_branches(expression: sp.Expr) -> sp.Expr:
-    """Return a sum over the branches of every function that has some, each with its weight."""
+    """Return an expression in which functions with branches are weighted sums of these."""
     for kind in _BRANCHES:
         expression = expression.replace(lambda q, k=kind: isinstance(q, k), _sum_of_branches)
     return expression
@@ -108,7 +114,7 @@ def _sum_of_branches(function: sp.Expr) -> sp.Expr:
 
 
 def _of_time(expression: sp.Expr) -> str:
-    """Return what is wrong with an expression that has the time `t`."""
+    """Return the message for an expression that has the time `t`."""
     for symbol in (x, v, a):
         coefficient = sp.diff(expression, symbol)
         if coefficient.has(t):
@@ -130,7 +136,7 @@ def _varying(symbol: sp.Symbol, coefficient: sp.Expr) -> str:
 
 
 def looks_like_state(symbol: sp.Symbol) -> bool:
-    """Whether a symbol that is not a parameter may be the coordinate of another mass.
+    """Return whether an unknown symbol may be meant as the coordinate of another mass.
 
     Examples
     --------

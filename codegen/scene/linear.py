@@ -11,7 +11,7 @@ from .error import INSTEAD, SceneError, check_linear, named
 
 @dataclass(frozen=True)
 class LinearPhase:
-    """``m x'' + c x' + k x = f + g cos(Omega t + phi)``: the coefficients of one phase.
+    """The coefficients of one phase: ``m x'' + c x' + k x = f + g cos(Omega t + phi)``.
 
     With a memory w it is ``... = f + h w + ...``, and `memory` has the h of each.
     """
@@ -30,9 +30,12 @@ class LinearPhase:
 
 
 def parts(expression: sp.Expr, symbols: Sequence[sp.Symbol], what: str) -> list[sp.Expr]:
-    """Return the coefficient of each symbol, and the rest.
+    """Return the coefficient of each symbol, and the constant.
 
-    A `SceneError` that begins with `what` is raised if they are not linear in it.
+    Raises
+    ------
+    SceneError
+        If the expression is not linear in them; the message begins with `what`.
     """
     expanded = sp.expand(expression)
     with named(what):
@@ -45,14 +48,17 @@ def parts(expression: sp.Expr, symbols: Sequence[sp.Symbol], what: str) -> list[
 def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
     """Return the coefficients of the equation of motion of a phase.
 
-    A `SceneError` is raised if it is not linear in acceleration, velocity, displacement and
-    forcing, or has no acceleration.
-
     Parameters
     ----------
     phase : Phase
     memory : sequence of Symbol
-        What is to have coefficients of its own; else it is part of `f`.
+        Symbols with coefficients of their own; others are part of `f`.
+
+    Raises
+    ------
+    SceneError
+        If it is not linear in acceleration, velocity, displacement and forcing, or has no
+        acceleration.
     """
     what = f"phase {phase.name}: equation"
     m, c, k, g, *others, f = parts(phase.equation, (a, v, x, forcing, *memory), what)
@@ -64,9 +70,12 @@ def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
 def state_row(
     expression: sp.Expr, what: str, memory: Sequence[sp.Symbol] = ()
 ) -> tuple[sp.Expr, ...]:
-    """Return a linear form: of displacement, velocity, forcing, 1 and memory.
+    """Return the factors of a linear form: of displacement, velocity, forcing, 1, memories.
 
-    A `SceneError` is raised if `expression` is not one; the message begins with `what`.
+    Raises
+    ------
+    SceneError
+        If `expression` is not linear; the message begins with `what`.
     """
     if sp.sympify(expression).has(a):
         raise SceneError(f"{what}: {expression} has the acceleration a, expected x, v, forcing")
@@ -75,7 +84,7 @@ def state_row(
 
 
 def fixed(phase: Phase, symbol: sp.Symbol) -> sp.Expr | None:
-    """Return the value of `x` or `v` where a phase ends, if its event is of that alone."""
+    """Return the value of `x` or `v` that the event of a phase prescribes, or None."""
     zero = sp.expand(phase.ends.zero)
     if not zero.has(symbol) or zero.free_symbols & ({x, v, forcing} - {symbol}):
         return None
@@ -85,10 +94,14 @@ def fixed(phase: Phase, symbol: sp.Symbol) -> sp.Expr | None:
 def without_modulus(
     expression: sp.Expr, states: Sequence[sp.Symbol] = (x, v, forcing)
 ) -> tuple[sp.Expr, ...]:
-    """Return what must not be negative for ``bound - Abs(...)``: both signs.
+    """Return a demand without moduli of the state: ``bound - Abs(q)`` as ``bound -+ q``.
 
-    `states` are what may stand in the modulus beside parameters.  A `SceneError` is raised if a
-    modulus of the state stands there in another way: then both signs are not what is demanded.
+    `states` are the symbols of the state.
+
+    Raises
+    ------
+    SceneError
+        If a modulus of the state occurs otherwise, so that both signs are not equivalent.
     """
     found = [q for q in expression.atoms(sp.Abs) if q.has(*states)]
     if not found:

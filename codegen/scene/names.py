@@ -1,4 +1,4 @@
-"""The names in a scene, and those that have a meaning of their own in its equations."""
+"""Names in a scene, and names that are reserved for its equations and for commands."""
 
 import keyword
 import re
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from .error import SceneError
 
-#: Names that flags of the command line have.
+#: Names of flags of the command line.
 TAKEN = frozenset(
     (
         *("all", "attractors", "budget", "case", "cycles", "digits", "figure", "format"),
@@ -16,7 +16,7 @@ TAKEN = frozenset(
     )
 )
 
-#: Names that commands have; a scene of such a name would be taken for one.
+#: Names of commands, which scenes must not have.
 COMMANDS = frozenset(
     (
         *("digits", "equations", "generate", "modes", "report", "roots", "scenes", "simulate"),
@@ -24,23 +24,23 @@ COMMANDS = frozenset(
     )
 )
 
-#: How scenes and their motions are called, on the command line too.
+#: Names that scenes and their motions may have.
 _CALLED = re.compile(r"[a-z][a-z0-9-]*")
 
-#: The short ones of the names that equations use themselves.
+#: Short names that are used in equations.
 SHORT = ("N", "R", "J", "T", "z", "p", "u", "l", "n", "j", "t", "x", "v", "a", "b", "a0", "phi")
 
-#: All of them: unknowns, indices, times of switches, functions.
+#: All names that are used in equations: unknowns, indices, times of switches, functions.
 _RESERVED = re.compile(
     rf"({'|'.join(SHORT)}|t\d+|omega_0|forcing|angle|cycles|pi|cos|sin|sqrt|exp|abs)"
 )
 
-#: What stands before the name of a phase in the names of its unknowns and integrals.
+#: Names of unknowns and integrals of a phase, of which {0} is the name.
 _OF_A_PHASE = r"(s|x|v|d|J|C|S|c\d+|tau\d*|mu|nu|beta|G\d+)_{0}(_\w+)?"
 
 
 def check_name(field: str, name: str) -> None:
-    """Check that a name can be one in Python; a `SceneError` if it cannot."""
+    """Check that a name is an identifier of Python; a `SceneError` if not."""
     if keyword.iskeyword(name):
         raise SceneError(f"{field}: got {name!r}, a word of Python")
     if not name.isidentifier():
@@ -48,10 +48,7 @@ def check_name(field: str, name: str) -> None:
 
 
 def check_called(field: str, name: str) -> None:
-    """Check that a scene or a motion can be called so on the command line.
-
-    A `SceneError` is raised if it cannot.
-    """
+    """Check that a scene or a motion may have a name; a `SceneError` if not."""
     if not _CALLED.fullmatch(name):
         expected = "lower-case letters, digits and dashes, beginning with a letter"
         raise SceneError(f"{field}: got {name!r:.60}, expected {expected}")
@@ -59,10 +56,7 @@ def check_called(field: str, name: str) -> None:
 
 
 def check_meaning(field: str, name: str, phases: Iterable[str]) -> None:
-    """Check that a name has no other meaning in the equations.
-
-    A `SceneError` is raised if it has, with the names that are taken.
-    """
+    """Check that a name has no other meaning in the equations; a `SceneError` if it has."""
     if reserved(name, phases):
         raise SceneError(
             f"{field}: {name} has a meaning of its own in the equations, as have "
@@ -72,6 +66,6 @@ def check_meaning(field: str, name: str, phases: Iterable[str]) -> None:
 
 
 def reserved(name: str, phases: Iterable[str]) -> bool:
-    """Whether equations use a name themselves, in a scene with phases of these names."""
+    """Return whether equations use a name themselves, in a scene with these phases."""
     patterns = (_OF_A_PHASE.format(re.escape(phase)) for phase in phases)
     return bool(_RESERVED.fullmatch(name)) or any(re.fullmatch(q, name) for q in patterns)

@@ -1,7 +1,7 @@
-"""A scene with its phases in an order that it does not declare, for its equations.
+"""A scene with its phases in an undeclared order, for its equations.
 
-An order is written as the solver has it: names of phases joined by commas, a minus before the
-mirror image of one, ``mirrored`` behind them where they are half a period.
+An order is written as in the solver: names of phases joined by commas, with a minus before the
+mirror image of one, and ``mirrored`` at the end if they are half a period.
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,14 +14,14 @@ from .data import Memory, Phase, a, forcing, v, with_values, x
 from .error import SceneError
 from .scene import Scene
 
-#: Behind the phases of half a period; and behind the name of a phase that is mirrored.
+#: Last word of an order of half a period; and suffix of the name of a mirrored phase.
 MIRRORED, IMAGE = "mirrored", "_m"
 
 
 def in_order(scene: Scene, phases: str) -> Scene:
     """Return a scene with phases of its longest motion in another order.
 
-    What comes a second time, a phase or what it sets, has a number behind its name.
+    A phase or a memory that occurs again has a number after its name.
 
     Raises
     ------
@@ -74,10 +74,10 @@ def in_order(scene: Scene, phases: str) -> Scene:
 def _settings(
     scene: Scene, steps: Sequence[tuple[str, bool]], called: Sequence[str], half: bool
 ) -> tuple[tuple[Memory, ...], list[dict[sp.Symbol, sp.Expr]]]:
-    """Return what is set on the way, and what each memory stands for in each phase.
+    """Return a memory for each phase that sets one, and its symbol in each phase.
 
-    Before a phase that sets it, it has the last value of the cell before; the `Scene` knows
-    its sign.
+    Before the first phase that sets a memory, the last one of the cell holds; its sign is left
+    to `Scene.cell`.
     """
     found: list[Memory] = []
     meant: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in steps]
@@ -101,10 +101,10 @@ def _settings(
 def _begins_mirrored(
     scene: Scene, steps: Sequence[tuple[str, bool]], p: int, half: bool
 ) -> bool:
-    """Whether a phase of an order begins as the mirror image of one does.
+    """Return whether phase `p` of an order begins as the mirror image of the declared phase.
 
-    Of the same equation as its image it is named by how it ends. It begins as the phase before
-    it leaves it, if that is the one before it in the scene or the mirror image of that.
+    A phase with the same equation as its image is mirrored or not by its end.  If it follows
+    its declared predecessor, or the image of that, it begins as that one was mirrored.
     """
     (name, minus), (before, mirrored) = steps[p], steps[p - 1]
     place = [phase.name for phase in scene.phases].index(name)
@@ -118,7 +118,7 @@ def _begins_mirrored(
 
 
 def _image(scene: Scene) -> dict[sp.Symbol, sp.Expr]:
-    """Return what the state is in the motion ``-x``, half a period of the forcing on."""
+    """Return the state of the motion ``-x``, half a period of the forcing later, by symbols."""
     state = [x, v, a, forcing, *(each.symbol for each in scene.memory)]
     if scene.body is not None:
         state += [q for contact in scene.body.at.values() for q in contact.symbols]
@@ -128,24 +128,24 @@ def _image(scene: Scene) -> dict[sp.Symbol, sp.Expr]:
 def _mirrored(phase: Phase, scene: Scene) -> Phase:
     """Return the mirror image of a phase of a scene."""
     image = _image(scene)
-    there = with_values(phase, image)
-    laws = there.equation
+    mirrored = with_values(phase, image)
+    laws = mirrored.equation
     several = isinstance(laws, tuple | list)  # a law for each of several contacts
     return replace(
-        there,
+        mirrored,
         equation=tuple(-law for law in laws) if several else -laws,
         ends=replace(
-            there.ends,
-            jump={q: -sp.sympify(law).subs(image) for q, law in there.ends.jump.items()},
-            demands=_named(there.ends.demands),
+            mirrored.ends,
+            jump={q: -sp.sympify(law).subs(image) for q, law in mirrored.ends.jump.items()},
+            demands=_named(mirrored.ends.demands),
         ),
-        demands=_named(there.demands),
+        demands=_named(mirrored.demands),
         held=None if phase.held is None else -sp.sympify(phase.held),
     )
 
 
 def _is_odd(scene: Scene) -> bool:
-    """Whether the mirror image of each phase is a phase: its law, what ends it, what jumps."""
+    """Return whether the mirror image of each phase is a phase: by law, event and jumps."""
     contacts = () if scene.body is None else scene.body.at.values()
     velocities = [v, *(contact.v for contact in contacts)]
 

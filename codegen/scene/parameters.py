@@ -1,4 +1,4 @@
-"""What is checked of the parameters of a scene, its memory, and the extremes it names."""
+"""Checks of the parameters of a scene, its memories, and its extremes."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -13,7 +13,7 @@ from .units import Dimension, balance, dimension_of, spelled
 
 
 def check_parameters(parameters: Sequence[Parameter], phases: Sequence[str]) -> None:
-    """Check names, symbols, units and defaults, and that nothing is there twice.
+    """Check names, symbols, units and defaults, and that none occurs twice.
 
     A `SceneError` names the first that is wrong.
     """
@@ -48,14 +48,14 @@ def _check_symbol(field: str, symbol: sp.Symbol, phases: Sequence[str]) -> None:
 
 
 def within(parameter: Parameter, value: float) -> bool:
-    """Whether a value satisfies the assumptions of the symbol and the largest value."""
+    """Return whether a value satisfies the assumptions of the symbol and the upper bound."""
     symbol = parameter.symbol
     low = value > 0 if symbol.is_positive else (value >= 0 or not symbol.is_nonnegative)
     return bool(low) and (parameter.most is None or bool(value <= parameter.most))
 
 
 def bounds(parameter: Parameter) -> str:
-    """Return what is expected of a value, in words."""
+    """Return the allowed values in words."""
     symbol = parameter.symbol
     low = "above 0" if symbol.is_positive else "0 or more" if symbol.is_nonnegative else ""
     high = "" if parameter.most is None else f"at most {parameter.most:g}"
@@ -65,7 +65,7 @@ def bounds(parameter: Parameter) -> str:
 def check_memory(
     scene: SceneData, units: Mapping[sp.Symbol, Dimension]
 ) -> dict[sp.Symbol, Dimension]:
-    """Check the memory of a scene, and return the unit of each.
+    """Check the memories of a scene, and return their units.
 
     A `SceneError` names the field that is wrong.
     """
@@ -84,7 +84,7 @@ def check_memory(
 
 
 def power_of_time(scene: SceneData, memory: Memory) -> int:
-    """Return the p of the unit of a memory, a length over a time to the power p."""
+    """Return p in the unit of a memory, length over time to the power p."""
     return -int(balance(sp.expand(memory.value), units_of(scene))[2])
 
 
@@ -120,9 +120,9 @@ def _unit_of(
 
 
 def check_extremes(scene: SceneData) -> None:
-    """Check that each extreme gives parameters of the scene values that they may have.
+    """Check that each extreme has allowed values of parameters.
 
-    A `SceneError` names the first that does not.
+    A `SceneError` names the first that has not.
     """
     if not isinstance(scene.extremes, Mapping):
         raise SceneError("extremes: expected a mapping {words: {symbol: value}}")
@@ -172,6 +172,6 @@ def _expression(value: object) -> sp.Expr:
 
 
 def at_extremes(scene: SceneData) -> Iterator[tuple[sp.Expr, ...]]:
-    """Yield all parameters in their order at each extreme; others keep their symbols."""
+    """Yield all parameters in order at each extreme; unchanged ones are their symbols."""
     for values in scene.extremes.values():
         yield tuple(sp.sympify(values.get(symbol, symbol)) for symbol in scene.symbols)

@@ -1,4 +1,4 @@
-"""What is checked of a phase: its equation, what ends it, its demands, what holds it."""
+"""Checks of a phase: equation, event, demands, constraint."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -22,11 +22,11 @@ def check_phase(
     ----------
     phase : Phase
     units : mapping of Symbol to Dimension
-        Of all that may stand in it.
+        Units of all symbols that are allowed.
     forced : bool
         Whether there is forcing.
     memory : sequence of Symbol
-        In which, beside the state, all must be linear.
+        Symbols in which, like in the state, all must be linear.
     """
     field = f"phase {phase.name}"
     for name, value in checked_fields(phase, units, forced, memory):
@@ -59,9 +59,9 @@ def check_phase(
 def checked_fields(
     phase: Phase, units: Units, forced: bool, memory: Sequence[sp.Symbol]
 ) -> Iterator[tuple[str, sp.Expr]]:
-    """Yield what a phase has in the state of the motion, with the names of the fields.
+    """Yield the expressions of a phase, by the names of their fields, once they are checked.
 
-    Each is linear, has forcing only where there is some, and its terms have one unit.
+    Each is linear, has forcing only in a forced scene, and its terms have one unit.
     """
     for name, expression in fields(phase):
         with named(f"phase {phase.name}: {name}"):
@@ -74,7 +74,7 @@ def checked_fields(
 
 
 def fields(phase: Phase) -> Iterator[tuple[str, sp.Expr]]:
-    """Yield the expressions of a phase, but for the velocity at which it is held."""
+    """Yield the expressions of a phase, by field, except the velocity at which it is held."""
     yield from (("equation", law) for law in laws(phase))
     yield "ends", phase.ends.zero
     yield from (("jump", value) for value in phase.ends.jump.values())
@@ -101,15 +101,18 @@ def _check_jump(phase: Phase, units: Units, memory: Sequence[sp.Symbol]) -> None
 
 
 def check_neighbours(phase: Phase, after: Phase, sign: int) -> None:
-    """Check that a phase leads into a phase that is held.
-
-    A `SceneError` is raised if its event and its jump lead to another velocity.
+    """Check that a phase before a held one ends with the prescribed velocity.
 
     Parameters
     ----------
     phase, after : Phase
     sign : int
-        What the motion is multiplied by between them.
+        -1 if the motion is mirrored between them, else 1.
+
+    Raises
+    ------
+    SceneError
+        If its event and its jump lead to another velocity.
     """
     if after.held is None:
         return
@@ -126,9 +129,9 @@ def check_neighbours(phase: Phase, after: Phase, sign: int) -> None:
 
 
 def check_same_units(phases: tuple[Phase, ...], units: Units) -> None:
-    """Check that the equations of all free phases are in the same unit.
+    """Check that the equations of all free phases have the same unit.
 
-    A `SceneError` is raised if two are not: their residuals cannot be added.
+    A `SceneError` is raised if not, for their residuals could not be added.
     """
     free = [phase for phase in phases if phase.held is None]
     found = [balance(sp.expand(phase.equation), units) for phase in free]

@@ -1,10 +1,9 @@
-"""What a switch makes of a small perturbation of the motion: the saltation matrix.
+"""The saltation matrix: the linear map of perturbations of the motion across a switch.
 
-A perturbed motion reaches the event a little earlier or later than the orbit.  Two motions are
-compared at one time, so that what they differ by behind a switch is made of three parts: the
-difference before it, the delay of the event, and in that delay the difference of the motions
-before and after it.  The delay is solved for from the event, and the law of the switch is
-differentiated: nothing of the result is typed.
+A perturbed motion reaches the event a little earlier or later than the orbit.  Compared at one
+time, its difference after the switch has three parts: the difference before, the delay of the
+event, and the difference of the rates before and after, over that delay.  The delay is solved
+for from the event, and the law of the switch is differentiated: no result is typed in.
 """
 
 import sympy as sp
@@ -23,8 +22,8 @@ before, after, turning = sp.symbols("a_before a_after turning", real=True)
 def saltations(scene: SceneData) -> tuple[sp.Matrix, ...]:
     """Return the saltation matrix at the end of each phase of a cell; see `saltation`.
 
-    Where the last phase leads into the mirror image of the first, it is the state of the motion
-    itself that is meant on both sides, before it is mirrored.
+    If the last phase leads into the mirror image of the first, the state on both sides is that
+    of the motion itself, before it is mirrored.
 
     Examples
     --------
@@ -43,19 +42,19 @@ def saltations(scene: SceneData) -> tuple[sp.Matrix, ...]:
 
 
 def saltation(left: Phase, right: Phase, k: int, memory: tuple[Memory, ...] = ()) -> sp.Matrix:
-    """Return the derivative of the state behind a switch by that before it, at one time.
+    """Return the derivative of the state after a switch by the state before, at one time.
 
-    It is of `x`, `v` and the memory, in the state before the switch, the accelerations `before`
-    and `after`, and `turning`, the derivative of the forcing by time.
+    The state is `x`, `v` and the memories.  The result is in terms of the state before the
+    switch, the accelerations `before` and `after`, and `turning`, the rate of the forcing.
 
     Parameters
     ----------
     left, right : Phase
-        On both sides.
+        The phases before and after.
     k : int
         Class of the motion at the switch: from 2 on the acceleration is continuous.
     memory : tuple of Memory
-        What the motion remembers: constant in a phase, set by the switch that sets it.
+        Constants that switches set.
     """
     state = (*STATE, *(each.symbol for each in memory))
     constant = [sp.Integer(0)] * len(memory)
@@ -66,13 +65,13 @@ def saltation(left: Phase, right: Phase, k: int, memory: tuple[Memory, ...] = ()
     perturbation = sp.Matrix(sp.symbols(f"d_:{len(state)}"))
     delay = sp.Dummy("delay")
 
-    # to first order: where the perturbed motion meets the event, and how much later
+    # to first order: the state of the perturbed motion at the event, and its delay
     moved = perturbation + rates_before * delay
     zero = sp.sympify(left.ends.zero)
     change = sum(sp.diff(zero, q) * step for q, step in zip(state, moved, strict=True))
     (late,) = sp.solve(change + sp.diff(zero, forcing) * turning * delay, delay)
 
-    # the law of the switch there, and back to the time at which the orbit passed it
+    # the law of the switch there, and back to the time of the orbit's event
     behind = law.jacobian(state) * moved - rates_after * delay
     behind += law.diff(forcing) * turning * delay
     matrix = behind.subs(delay, late).jacobian(perturbation)
@@ -80,14 +79,14 @@ def saltation(left: Phase, right: Phase, k: int, memory: tuple[Memory, ...] = ()
 
 
 def _remembered(memory: Memory, right: Phase, speed: sp.Expr) -> sp.Expr:
-    """Return a memory behind a switch: what it is set to, where it is, or what it was."""
+    """Return the value of a memory after a switch: the new one if it is set, or the old one."""
     if memory.at != right.name:
         return memory.symbol
     return sp.sympify(memory.value).subs(v, speed)
 
 
 def _known(left: Phase, right: Phase, k: int) -> dict[sp.Symbol, sp.Expr]:
-    """Return what constraints and the class of the motion say of both sides of a switch."""
+    """Return values at a switch that follow from constraints and the class of the motion."""
     values: dict[sp.Symbol, sp.Expr] = {}
     if k >= 2:
         values[after] = before if left.held is None else sp.Integer(0)

@@ -12,10 +12,14 @@ from .linear import linear_phase
 def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """Return the units of mass, time and length, in the parameters and SI numbers.
 
-    What the scene does not say: the mass that moves, of a body what its first contact picks;
-    ``1/Omega``, or ``sqrt(m/k)`` where nothing forces; what the force amounts to in that time,
-    or the distance that a held mass travels in it.  A `SceneError` is raised if one of them
-    cannot be worked out.
+    Defaults are: the moving mass, or for a body ``w^T M w`` of its first contact;
+    ``1/Omega``, or ``sqrt(m/k)`` without forcing; ``F t^2/m`` with the amplitude F of the
+    forcing, or the distance that a held mass travels in the unit of time.
+
+    Raises
+    ------
+    SceneError
+        If one of them cannot be determined.
     """
     given = {name: sp.sympify(value) for name, value in scene.scales.items()}
     of_body = scene.body is not None
@@ -36,11 +40,12 @@ def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return mass, time, length if of_body else sp.simplify(length)
 
 
-#: A mass, ``sqrt(m/k)`` if there is a spring, the size of the forcing if there is one.
+#: The mass; ``sqrt(m/k)``, or None without a spring; the amplitude of the forcing, or None.
 Sizes = tuple[sp.Expr, sp.Expr | None, sp.Expr | None]
 
 
 def _of_mass(scene: SceneData, mass: sp.Expr | None) -> Sizes:
+    """Return the sizes of a scene of one mass."""
     memory = [q.symbol for q in scene.memory]
     free = [linear_phase(phase, memory) for phase in scene.phases if phase.held is None]
     periods = (sp.sqrt(q.m / q.k) for q in free if q.k != 0)
@@ -49,6 +54,7 @@ def _of_mass(scene: SceneData, mass: sp.Expr | None) -> Sizes:
 
 
 def _of_body(scene: SceneData, mass: sp.Expr | None) -> Sizes:
+    """Return the sizes of a scene of a body."""
     body, force = body_of(scene), None
     mass = mass or _at_contact(body, "M")
     if "forcing" in body.arrays:

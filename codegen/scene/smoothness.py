@@ -3,9 +3,9 @@
 The paper, Section 3.3: "the degree of continuity can be determined by inspection of the
 equation(s) of motion".  The inspection: with the state ``y = (x, v, 1, cos, sin)`` a phase is
 ``y' = A y``, so the jump of the j-th derivative of x at a switch is ``e_x (A+^j - A-^j) y``.
-It vanishes for every motion if and only if that row is a combination of the rows known to
-vanish there: the event, the velocity at which a constraint holds the mass, and what the switch
-sets a memory to.  A memory is a constant of the periodic motion and one more entry of y.
+It vanishes for every motion if and only if that row is a combination of the rows that vanish
+there: the event, the constraint of a held velocity, and the value that a memory is set to.  A
+memory is a constant of the periodic motion and one more entry of y.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -19,18 +19,18 @@ from .data import Phase, SceneData, v, x
 from .error import SceneError
 from .linear import fixed, linear_phase, state_row
 
-#: Derivatives that are looked at; a phase that differs from the next differs in these.
+#: Highest derivative that is checked; phases that differ do so in one of these.
 HIGHEST = 8
 
 
 @dataclass(frozen=True)
 class Switch:
-    """One switch: after which phase, its class, and the first derivative that jumps.
+    """One switch: its phases and its class.
 
     Parameters
     ----------
     after, before : str
-        The phases on both sides.
+        The phase that ends there, and the phase that begins.
     k : int
         The motion is C^k there.
     """
@@ -51,9 +51,12 @@ class Switch:
 
 
 def switches(scene: SceneData) -> tuple[Switch, ...]:
-    """Return the switches of a cell: that which begins the first phase, the second, and so on.
+    """Return the switches of a cell, that at the begin of the first phase first.
 
-    A `SceneError` is raised if nothing changes at a switch.
+    Raises
+    ------
+    SceneError
+        If nothing changes at a switch.
     """
     found = []
     for left, right, sign in _sides(scene):
@@ -67,14 +70,14 @@ def switches(scene: SceneData) -> tuple[Switch, ...]:
 
 
 def class_of(scene: SceneData) -> int:
-    """Return the class of a motion, or of the least smooth of several: the lowest k."""
+    """Return the class of a scene: the lowest k at any switch of any motion."""
     return min(switch.k for motion in scene.each_motion for switch in switches(motion))
 
 
 def classes_of(scene: SceneData, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[int, ...]:
-    """Return the k at each switch for values of the parameters: above the general for some.
+    """Return the k at each switch for values of the parameters, which may exceed the generic k.
 
-    It is `HIGHEST` where nothing changes for them.
+    It is `HIGHEST` if nothing changes for these values.
     """
     known = {q: sp.nsimplify(value, rational=True) for q, value in values.items()}
     found = (_order(scene, *sides, known) for sides in _sides(scene))
@@ -92,21 +95,21 @@ def _sides(scene: SceneData) -> Iterator[tuple[Phase, Phase, int]]:
 def generator(
     phase: Phase, frequency: sp.Expr, sign: int = 1, memory: Sequence[sp.Symbol] = ()
 ) -> sp.Matrix:
-    """Return ``A`` of a phase; with `sign` -1, of the mirrored motion ``-x``."""
+    """Return the matrix A of ``y' = A y`` in a phase; with `sign` -1, for the motion ``-x``."""
     q = linear_phase(phase, memory)
-    found = sp.zeros(5 + len(memory))
-    found[0, 1] = 1
-    found[1, :5] = [[-q.k / q.m, -q.c / q.m, sign * q.f / q.m, q.g / q.m, 0]]
-    found[3, 4], found[4, 3] = -frequency, frequency
+    A = sp.zeros(5 + len(memory))
+    A[0, 1] = 1
+    A[1, :5] = [[-q.k / q.m, -q.c / q.m, sign * q.f / q.m, q.g / q.m, 0]]
+    A[3, 4], A[4, 3] = -frequency, frequency
     for column, factor in enumerate(q.memory, 5):
-        found[1, column] = sign * factor / q.m
-    return found
+        A[1, column] = sign * factor / q.m
+    return A
 
 
 def place(scene: SceneData, p: int) -> sp.Expr | None:
-    """Return the displacement at which phase `p` of a cell is held, if it is known.
+    """Return the displacement at which phase `p` of a cell rests, or None if unknown.
 
-    It is where the phase is at rest, and the phase before it ends at a displacement.
+    It is known if the event of the phase before prescribes a displacement.
     """
     phase, sign = scene.cell[p], scene.sign if p == 0 else 1
     found = fixed(scene.cell[p - 1], x)
@@ -117,11 +120,11 @@ def place(scene: SceneData, p: int) -> sp.Expr | None:
 def known_rows(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
     """Return the rows in y that vanish at the switch between two phases of ``scene.cell``.
 
-    `sign` is what the motion is multiplied by there: y is that of the right side.
+    `sign` is -1 if the motion is mirrored there; y is that of the right side.
     """
     memory = [q.symbol for q in scene.memory]
-    of_x, of_v, cos, one, *own = state_row(left.ends.zero, f"phase {left.name}: ends", memory)
-    known = [[sign * of_x, sign * of_v, one, sign * cos, 0, *own]]
+    of_x, of_v, cos, one, *h = state_row(left.ends.zero, f"phase {left.name}: ends", memory)
+    known = [[sign * of_x, sign * of_v, one, sign * cos, 0, *h]]
     nothing = [sp.Integer(0)] * len(memory)
     if left.held is not None:
         known.append([0, sign, -left.held, 0, 0, *nothing])
@@ -139,7 +142,7 @@ def known_rows(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[l
 def _order(
     scene: SceneData, left: Phase, right: Phase, sign: int, values: Mapping[sp.Symbol, sp.Expr]
 ) -> int | None:
-    """Return the k of a switch for values of some parameters; None where nothing changes."""
+    """Return the k of a switch for values of some parameters; None if nothing changes."""
     if scene.body is not None:
         return contact_class(scene, left, right, sign, values)
     jump = dict(left.ends.jump)
@@ -154,9 +157,9 @@ def _order(
 
 
 def _first_jump(before: sp.Matrix, after: sp.Matrix, known: sp.Matrix) -> int | None:
-    """Return the first j whose ``e_x (A+^j - A-^j)`` is no combination of known rows, less 1.
+    """Return the first j with ``e_x (A+^j - A-^j)`` not in the span of known rows, less 1.
 
-    All entries are of one field, that of the rational functions of the parameters.
+    Ranks are computed over the field of rational functions of the parameters.
     """
     together = DomainMatrix.from_Matrix(sp.Matrix.vstack(before, after, known)).to_field()
     size = before.rows

@@ -17,7 +17,7 @@ def _powers(kg: int, m: int, s: int) -> Dimension:
     return Fraction(kg), Fraction(m), Fraction(s)
 
 
-#: What a unit may be made of.
+#: Units of which others are products of powers.
 BASE: Mapping[str, Dimension] = {
     "kg": _powers(1, 0, 0),
     "m": _powers(0, 1, 0),
@@ -29,14 +29,14 @@ BASE: Mapping[str, Dimension] = {
 
 _FACTOR = re.compile(r"([A-Za-z]+|1)(?:\^(\d+|\(\d+/[1-9]\d*\)))?")
 
-#: A slash that is not within the brackets of a power.
+#: A slash outside the brackets of a power.
 _SLASH = re.compile(r"/(?![^(]*\))")
 
 
 def dimension_of(unit: str) -> Dimension:
-    """Return the powers of kg, m, s of a unit such as ``"N s/m"`` or ``"m/s^2"``.
+    """Return the powers of kg, m, s in a unit such as ``"N s/m"`` or ``"m/s^2"``.
 
-    A `SceneError` is raised if it is not made of kg, m, s, N, rad.
+    A `SceneError` is raised if it is no product of powers of kg, m, s, N, rad.
 
     Examples
     --------
@@ -134,6 +134,6 @@ def _unit_of(symbol: sp.Symbol, units: Mapping[sp.Symbol, Dimension]) -> Dimensi
 
 
 def _assumed(symbol: sp.Symbol) -> str:
-    """Return by which assumption a symbol is told from another of its name."""
+    """Return the assumption that distinguishes a symbol from another of the same name."""
     kinds = ("positive", "nonnegative", "real")
     return f"{next((kind for kind in kinds if symbol.assumptions0.get(kind)), 'no')}=True"

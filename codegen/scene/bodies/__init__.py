@@ -1,1 +1,1 @@
-"""Bodies of several degrees of freedom with contacts: data, laws, what is checked."""
+"""Bodies of several degrees of freedom with contacts: data, laws, checks."""

@@ -17,13 +17,13 @@ from ..error import SceneError, named
 #: The force that a contact exerts on the body along its displacement, in N.
 force = sp.Symbol("force", real=True)
 
-#: What the symbols of a contact are in, in the order of `Contact.symbols`.
+#: Units of the symbols of a contact, in the order of `Contact.symbols`.
 UNITS = ("m", "m/s", "N", "m/s^2")
 
 
 @dataclass(frozen=True)
 class Contact:
-    """What laws, events and demands know of one contact of a body.
+    """The symbols of one contact of a body, for laws, events and demands.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class Contact:
     x, v, a : Symbol
         The displacement ``w^T q``, its velocity and acceleration.
     force : Symbol
-        What acts on the body along ``w``: ``M q'' + C q' + K q = f cos + w force``.
+        The force on the body along ``w``: ``M q'' + C q' + K q = f cos + w force``.
     """
 
     name: str
@@ -48,7 +48,7 @@ class Contact:
 
 @dataclass(frozen=True, eq=False)
 class Entries:
-    """The entries of a matrix that are not zero.
+    """The nonzero entries of a matrix.
 
     Parameters
     ----------
@@ -65,18 +65,18 @@ class Entries:
 
     @property
     def is_numeric(self) -> bool:
-        """Whether no parameter is in it."""
+        """Whether its entries are numbers, without parameters."""
         return isinstance(self.values, np.ndarray)
 
     @property
     def digest(self) -> str:
-        """A hash of what it is."""
+        """A hash of shape and entries."""
         numbers = self.values.tobytes() if self.is_numeric else sp.srepr(self.values).encode()
         parts = repr(self.shape).encode(), self.rows.tobytes(), self.columns.tobytes(), numbers
         return hashlib.sha256(b"\0".join(parts)).hexdigest()
 
     def dense(self) -> npt.NDArray[Any]:
-        """Return the matrix in full, of numbers or of expressions."""
+        """Return the matrix as a dense array of numbers or of expressions."""
         found = np.zeros(self.shape, dtype=float if self.is_numeric else object)
         found[self.rows, self.columns] = self.values
         return found
@@ -92,16 +92,16 @@ class Body:
         Mass in kg and stiffness in N/m, symmetric; M positive definite.  Numbers, or a
         `sympy.Matrix` with the parameters of the scene.
     at : mapping of str to array_like, shape (n,)
-        The contacts: ``w`` of each, which picks its displacement.  Then ``body.at["tip"]`` has
-        the symbols ``x``, ``v``, ``a`` and ``force`` for laws, events and demands.
+        The vector ``w`` of each contact, whose displacement is ``w^T q``.  ``body.at["tip"]``
+        has the symbols ``x``, ``v``, ``a`` and ``force`` for laws, events and demands.
     forcing : array_like, shape (n,), optional
         Amplitudes of the force on each degree of freedom in N.
     C : array_like, shape (n, n), optional
         Damping in N s/m, of any form; or
     ratio : float or Symbol, optional
-        the damping ratio of every mode.  Without both the body is not damped.
+        the damping ratio of every mode.  Without both the body is undamped.
     modes : int or Symbol, optional
-        How many modes are kept, the lowest; without it all.
+        Number of modes that are kept, the lowest ones; all by default.
 
     Raises
     ------
@@ -150,7 +150,7 @@ class Body:
 
     @property
     def arrays(self) -> Mapping[str, Entries]:
-        """M, K, C, forcing as far as they are given, and ``at``, a column a contact."""
+        """M, K, C and forcing, if given, and ``at`` with a column for each contact."""
         found: Mapping[str, Entries] = self.__dict__["_arrays"]
         return found
 
@@ -161,7 +161,7 @@ class Body:
 
     @cached_property
     def symbols(self) -> set[sp.Symbol]:
-        """The parameters in it."""
+        """The symbols in its matrices, damping ratio and number of modes."""
         found: set[sp.Symbol] = set()
         for values in (q.values for q in self.arrays.values() if not q.is_numeric):
             found |= set().union(*(value.free_symbols for value in values))
@@ -169,7 +169,7 @@ class Body:
 
 
 def _size(mass: Any) -> int:
-    """Return how many degrees of freedom a mass matrix is of."""
+    """Return the number of degrees of freedom of a mass matrix."""
     shape = np.shape(mass if hasattr(mass, "shape") else _array("body: M", mass))
     if len(shape) != 2 or shape[0] != shape[1] or not shape[0]:
         size = " x ".join(map(str, shape)) or "1"
@@ -178,6 +178,7 @@ def _size(mass: Any) -> int:
 
 
 def _array(field_: str, value: Any) -> npt.NDArray[Any]:
+    """Return a value as an array; a `SceneError` if its rows differ in length."""
     try:
         return np.asarray(value)
     except ValueError:
@@ -185,12 +186,12 @@ def _array(field_: str, value: Any) -> npt.NDArray[Any]:
 
 
 def entries(field_: str, value: Any, shape: tuple[int, int]) -> Entries:
-    """Return the entries of a matrix or of a vector that are not zero.
+    """Return the nonzero entries of a matrix or of a vector.
 
     Raises
     ------
     SceneError
-        If it is not of this shape, or has what is neither a finite number nor an expression.
+        If the shape is another one, or an entry is neither a finite number nor an expression.
     """
     if hasattr(value, "tocoo"):
         sparse = value.tocoo()
@@ -211,7 +212,7 @@ def entries(field_: str, value: Any, shape: tuple[int, int]) -> Entries:
 
 
 def _values(field_: str, values: npt.NDArray[Any]) -> Any:
-    """Return the values of entries: as floats, or as expressions if one has a symbol."""
+    """Return the values of entries as floats, or as expressions if one has a symbol."""
     with named(field_):
         if values.dtype == object:
             found = tuple(sp.sympify(value) for value in values)

@@ -1,4 +1,4 @@
-"""What is checked of a scene with a body: its matrices, the laws of its contacts."""
+"""Checks of a scene with a body: its matrices, the laws of its contacts."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -15,10 +15,10 @@ from ..units import Dimension, balance, dimension_of, spelled
 from .body import UNITS, Body, Entries
 from .law import body_of, form, law_rows, place
 
-#: What a difference of two entries may be, as a part of the largest entry.
+#: Largest difference between symmetric entries, relative to the largest entry.
 ROUNDING = 1e-12
 
-#: Degrees of freedom up to which matrices are looked at in full.
+#: Degrees of freedom up to which matrices are factorised as dense arrays.
 DENSE = 2000
 
 
@@ -53,7 +53,7 @@ def check_body(scene: SceneData, units: Units) -> None:
 
 
 def at_defaults(matrix: Entries, known: Mapping[sp.Symbol, float]) -> Entries:
-    """Return a matrix with the default parameters put in."""
+    """Return a matrix for the default parameters."""
     if matrix.is_numeric:
         return matrix
     values = np.array([float(q.subs(known)) for q in matrix.values])
@@ -90,7 +90,7 @@ def _check_positive(matrix: Entries) -> None:
 
 
 def _check_units(body: Body, units: Units) -> None:
-    """Check that M, C, K are a power of time apart wherever parameters stand in two of them."""
+    """Check that units of entries of M, C, K with parameters differ by powers of time."""
     found: dict[tuple[int, int], Dimension] = {}
     for power, name in enumerate(("M", "C", "K")):
         matrix = body.arrays.get(name)

@@ -1,8 +1,9 @@
-"""The laws of contacts: what the phases of a body say of its contact forces, as linear forms.
+"""The laws of contacts of a body, phase by phase, as linear forms.
 
-A form is of ``x, v, cos, 1, force, a`` of the first contact, then of ``x, v, force, a`` of each
-other, then of each memory.  The class of continuity follows from the laws alone: the first
-derivative of a contact force that jumps, two orders below that of its displacement.
+A form has factors of ``x, v, cos, 1, force, a`` of the first contact, then of ``x, v, force,
+a`` of each further contact, then of each memory.  The class of continuity follows from the laws
+alone: the first derivative of a contact force that jumps is two orders below that of the
+displacement.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,7 +16,7 @@ from ..error import SceneError
 from ..linear import parts, state_row
 from .body import Body
 
-#: Derivatives of the force that are looked at.
+#: Number of derivatives of the force that are checked for jumps.
 HIGHEST = 6
 
 
@@ -26,38 +27,45 @@ def body_of(scene: SceneData) -> Body:
 
 
 def signals(body: Body) -> tuple[sp.Symbol | sp.Integer, ...]:
-    """Return what forms are of, in their order, without the memory."""
+    """Return the symbols of which forms are linear combinations, without the memories."""
     first, *others = body.at.values()
-    more = (symbol for contact in others for symbol in contact.symbols)
-    return (first.x, first.v, forcing, sp.Integer(1), first.force, first.a, *more)
+    further = (symbol for contact in others for symbol in contact.symbols)
+    return (first.x, first.v, forcing, sp.Integer(1), first.force, first.a, *further)
 
 
 def form(
     expression: sp.Expr, scene: SceneData, what: str, memory: bool = True
 ) -> tuple[sp.Expr, ...]:
-    """Return a linear form in the signals of a scene, of one mass `state_row`, and its memory.
+    """Return the factors of a linear form in the signals of a scene and its memories.
 
-    A `SceneError` is raised if `expression` is not one; the message begins with `what`.
+    For one mass it is `state_row`.
+
+    Raises
+    ------
+    SceneError
+        If `expression` is not linear; the message begins with `what`.
     """
-    own = [q.symbol for q in scene.memory] if memory else []
+    remembered = [q.symbol for q in scene.memory] if memory else []
     if scene.body is None:
-        return state_row(expression, what, own)
-    symbols = [q for q in (*signals(scene.body), *own) if q != 1]
+        return state_row(expression, what, remembered)
+    symbols = [q for q in (*signals(scene.body), *remembered) if q != 1]
     *found, rest = parts(sp.sympify(expression), symbols, what)
     return (*found[:3], rest, *found[3:])
 
 
 def laws(phase: Phase) -> tuple[sp.Expr, ...]:
-    """Return the laws of a phase, one a contact."""
+    """Return the laws of a phase, one for each contact."""
     found = phase.equation
     return tuple(found) if isinstance(found, tuple | list) else (found,)
 
 
 def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
-    """Return the laws of a phase as linear forms, one a contact.
+    """Return the laws of a phase as linear forms, one for each contact.
 
-    A `SceneError` is raised if there are not as many as contacts, or one does not say what the
-    force is.
+    Raises
+    ------
+    SceneError
+        If the numbers of laws and contacts differ, or a law has neither force nor acceleration.
     """
     field, found = f"phase {phase.name}: equation", laws(phase)
     contacts = list(body_of(scene).at.values())
@@ -75,7 +83,7 @@ def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
 
 
 def place(body: Body, symbol: sp.Symbol) -> int:
-    """Return the place of a symbol in forms."""
+    """Return the index of a symbol in forms."""
     return signals(body).index(symbol)
 
 
@@ -89,9 +97,9 @@ def contact_class(
     scene : SceneData
     left, right : Phase
     sign : int
-        What the motion is multiplied by there.
+        -1 if the motion is mirrored there, else 1.
     values : mapping of Symbol to Expr
-        Of some parameters.
+        Values of some parameters.
     """
     jump = dict(left.ends.jump)
     if any(sp.simplify((after - q).subs(values)) != 0 for q, after in jump.items()):
@@ -109,14 +117,14 @@ def contact_class(
 
 
 def _width(scene: SceneData) -> int:
-    """Return how many columns rows have: derivatives, held forces, cos, sin, 1, memory."""
+    """Return the number of columns: derivatives of x and forces, cos, sin, 1, memories."""
     return len(body_of(scene).at) * 3 * (HIGHEST + 3) + 3 + len(scene.memory)
 
 
 def _row(
     scene: SceneData, given: Sequence[sp.Expr], order: int, sign: int, side: str
 ) -> list[sp.Expr]:
-    """Return the derivative of a form by time, its forces as unknowns of their side."""
+    """Return derivative `order` of a form by time; forces are unknowns, on either side."""
     found = [sp.Integer(0)] * _width(scene)
     body, omega = body_of(scene), scene.frequency or sp.Integer(0)
     for i, contact in enumerate(body.at.values()):
@@ -138,7 +146,7 @@ def _row(
 def _forces(
     scene: SceneData, phase: Phase, order: int, sign: int, side: str
 ) -> list[list[sp.Expr]]:
-    """Return a derivative of each contact force of a phase; of a held one it is an unknown."""
+    """Return a derivative of each contact force of a phase; that of a held one is unknown."""
     found = []
     for contact, row in zip(body_of(scene).at.values(), law_rows(phase, scene), strict=True):
         at = place(body_of(scene), contact.force)
@@ -152,7 +160,7 @@ def _forces(
 
 
 def _known(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
-    """Return the rows that vanish at a switch, in the frame of its right side."""
+    """Return the rows that vanish at a switch, in the signs of its right side."""
     event = form(left.ends.zero, scene, f"phase {left.name}: ends")
     known = [[sign * q for q in _row(scene, event, 0, sign, "before")]]
     for q, force_row in zip(laws(left), _forces(scene, left, 0, sign, "before"), strict=True):
