@@ -1,5 +1,5 @@
-"""The last symbolic stage: records as the text of Python modules.
+"""The last symbolic stage: emission of Python modules.
 
-Input: a scene, or the closed forms of an expansion.  Output: modules, readable, with
-nothing in them that depends on where or when they were written.
+Input: a scene, or the closed forms of an expansion.  Output: the text of readable modules,
+which does not depend on place or time.
 """

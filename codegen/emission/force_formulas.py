@@ -1,4 +1,4 @@
-"""What poles answer to contact forces, as modules: arithmetic that arrays take as well."""
+"""Responses of poles to contact forces as modules, for numbers and arrays."""
 
 from types import ModuleType
 
@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 
 '''
 
-#: What functions return; in compiled ones arrays are counted by it.
+#: The return annotation of functions, by which compiled ones are known to return arrays.
 COMPLEX = "Complex: TypeAlias = npt.NDArray[np.complex128]"
 
 
@@ -27,9 +27,9 @@ def module_source(record: ModuleType, what: str) -> str:
     Parameters
     ----------
     record : module
-        Of ``codegen/galerkin``.
+        A module of ``codegen/galerkin``.
     what : str
-        What its formulas are.
+        Description of its formulas.
     """
     functions = "\n\n".join(map(_function, record.formulas()))
     head = HEADER.format(what=what, name=record.__name__.rpartition(".")[2])
@@ -39,6 +39,7 @@ def module_source(record: ModuleType, what: str) -> str:
 
 
 def _function(formula: Formula) -> str:
+    """Return the source of the function of a formula."""
     arguments = ", ".join(f"{q}: Any" for q in formula.arguments)
     head = f'def {formula.name}({arguments}) -> Complex:\n    """Return {formula.what}."""\n'
     value, parts = _multiplied(formula.value)
@@ -47,9 +48,9 @@ def _function(formula: Formula) -> str:
 
 
 def _multiplied(value: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
-    """Return a value that is multiplied by 1 over numbers of degrees, and these by name.
+    """Return a value with divisions by integers of degrees replaced, and the divisors by name.
 
-    To divide a complex number by them takes ten times as long.
+    It is multiplied by their reciprocals: to divide a complex number takes ten times as long.
     """
     terms: list[sp.Expr] = []
     parts: dict[sp.Symbol, sp.Expr] = {}

@@ -1,4 +1,4 @@
-"""The expansions in a table: what solver and command line know of them without SymPy."""
+"""The table of the expansions, by which solver and command line know them without SymPy."""
 
 from types import ModuleType
 
@@ -38,14 +38,14 @@ def methods_source() -> str:
 
 
 def _unseen(module: ModuleType) -> tuple[int, ...]:
-    """Return how many polynomials the tests do not see, for each class of a switch."""
+    """Return the number of polynomials orthogonal to all tests, for each class of a switch."""
     if not hasattr(module, "rest"):
         return ()
     return tuple(polynomials.reach(module.test, k) for k in range(HIGHEST))
 
 
 def _facts(module: ModuleType) -> str:
-    """Return the entries of one expansion, a line each."""
+    """Return the entries of one expansion, one on each line."""
     found = expansions.about(module)
     facts = {
         "title": module.TITLE,

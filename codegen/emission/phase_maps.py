@@ -36,18 +36,18 @@ q = sp.Symbol("q", integer=True, nonnegative=True)
 highest = sp.Symbol("m", integer=True, nonnegative=True)
 of_class = sp.Symbol("k", integer=True, nonnegative=True)
 
-#: The trial function on one phase of any scene; how many d_n there are is of no concern here.
+#: The trial function on one phase of any scene, with any number of d_n.
 SERIES = PhaseSeries(s, x, v, d, sp.Symbol("number", integer=True, positive=True))
 
 
 def closed_forms(rest: Rest) -> Iterator[ClosedForm]:
-    """Yield the closed forms of one phase, and what no test of it sees."""
+    """Yield the closed forms of one phase; `rest` gives polynomials orthogonal to its tests."""
     zero, one = sp.Integer(0), sp.Integer(1)
     yield from _row("row_0", zero, (x, v, d[0], d[1], d[2]))
     yield from _row("row_1", one, (v, d[0], d[1], d[2], d[3]))
     yield from _row("row_l", l, tuple(d[l + i] for i in range(-2, 3)))
     what = "what a phase adds to the displacement: the coefficients of v, d_0, d_1"
-    gained = _coefficients(SERIES.at_end(0), (v, d[0], d[1]))
+    gained = _coefficients(SERIES.at_end(0), (v, d[0], d[1]))  # x itself is left out
     yield from _with_rate("displacement_gained", what, (s,), gained)
     what = "the part of d_n in derivative q of the acceleration where a phase ends"
     part = SERIES.at_end(q + 2).function.coeff(d[degree])
@@ -65,7 +65,7 @@ def closed_forms(rest: Rest) -> Iterator[ClosedForm]:
 
 
 def _row(name: str, index: sp.Expr, unknowns: Sequence[sp.Expr]) -> Iterator[ClosedForm]:
-    """Yield the coefficients of the unknowns in a row of the residual, and their rates."""
+    """Yield the coefficients of unknowns in a row of the residual, and derivatives by s."""
     left = SERIES.residual(LinearPhase(m, c, k, sp.S.Zero, sp.S.Zero), index, sp.S.Zero)
     arguments = (l, m, c, k, s) if index == l else (m, c, k, s)
     words = ", ".join(str(unknown).replace(" ", "") for unknown in unknowns)
@@ -74,6 +74,7 @@ def _row(name: str, index: sp.Expr, unknowns: Sequence[sp.Expr]) -> Iterator[Clo
 
 
 def _coefficients(expression: sp.Expr, unknowns: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """Return the coefficients of unknowns in an expression, factored."""
     found = weights(sp.expand(expression), set(unknowns))
     return tuple(sp.factor(found.get(unknown, sp.S.Zero)) for unknown in unknowns)
 

@@ -1,4 +1,4 @@
-"""The functions of a scene in numbers: units, coefficients, events, demands, in Python."""
+"""The numerical functions of a scene as Python: units, coefficients, events, demands."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from ..scene.scales import scales
 
 
 def _linear(demands: Mapping[str, sp.Expr]) -> list[tuple[str, sp.Expr]]:
-    """Return demands, each linear, with its words."""
+    """Return demands without moduli, each linear, with its words."""
     return [
         (words, part)
         for words, demand in demands.items()
@@ -24,19 +24,19 @@ def _linear(demands: Mapping[str, sp.Expr]) -> list[tuple[str, sp.Expr]]:
 
 
 def words_of(demands: Mapping[str, sp.Expr]) -> tuple[str, ...]:
-    """Return the words of demands, once for each linear form that they are."""
+    """Return the words of demands, once for each of their linear forms."""
     return tuple(words for words, _ in _linear(demands))
 
 
 class Function(NamedTuple):
-    """One of the functions: its name, what it returns in words, and each entry of that."""
+    """One of the functions: name, docstring, and the source of each entry of its result."""
 
     name: str
     summary: str
     entries: tuple[str, ...]
 
     def source(self, scene: Scene) -> str:
-        """Return its text."""
+        """Return the source of the function."""
         arguments = ", ".join(symbol.name for symbol in scene.symbols)
         values = "".join(f"        {entry},\n" for entry in self.entries)
         result = f"(\n{values}    )" if self.entries else "()"
@@ -74,20 +74,20 @@ def whole(scene: Scene) -> Iterator[Function]:
 
 
 def extremes(scene: Scene) -> Function:
-    """Return the function that has the parameters at each extreme."""
+    """Return the function of the parameters at each extreme."""
     summary = "Return all parameters at each of the extremes."
     return _rows("extremes", summary, at_extremes(scene))
 
 
 def of_phases(scene: Scene) -> Iterator[Function]:
-    """Yield those on the phases of one motion."""
+    """Yield the functions on the phases of one motion."""
     phases, memory = scene.cell, [q.symbol for q in scene.memory]
 
     def forms(demands: Mapping[str, sp.Expr], what: str) -> list[Row]:
         return [form(part, scene, what) for _, part in _linear(demands)]
 
     sides = "m x'' + c x' + k x = f + g cos"
-    more = "" if not memory else ", and of each memory on the right side"
+    and_memory = "" if not memory else ", and of each memory on the right side"
     if scene.body is not None:
         summary = (
             "Return the linear forms that are zero in each phase: the laws of the contacts."
@@ -97,7 +97,7 @@ def of_phases(scene: Scene) -> Iterator[Function]:
     else:
         yield _rows(
             "coefficients",
-            f"Return m, c, k, f, g of each phase: {sides}{more}.",
+            f"Return m, c, k, f, g of each phase: {sides}{and_memory}.",
             [linear_phase(p, memory).coefficients for p in phases],
         )
     held = [sp.sympify(p.held if p.held is not None else 0) for p in phases]
@@ -130,7 +130,7 @@ def of_phases(scene: Scene) -> Iterator[Function]:
 
 
 def _of_body(body: Body) -> Iterator[Function]:
-    """Yield the functions of a body: what of its matrices has parameters, and its modes."""
+    """Yield the functions of a body: entries of matrices with parameters; damping and modes."""
     symbolic = {name: q for name, q in body.arrays.items() if not q.is_numeric}
     each = (
         zip([name] * len(q.rows), q.rows, q.columns, q.values, strict=True)
@@ -149,7 +149,7 @@ def _of_body(body: Body) -> Iterator[Function]:
 
 
 def start(scene: Scene) -> Iterator[Function]:
-    """Yield the function of the state in which the first phase begins, if the scene says it."""
+    """Yield the function of the condition on the begin of the first phase, if there is one."""
     if scene.start:
         zero = sp.Add(*(symbol - value for symbol, value in scene.start.items()))
         of_x, of_v, _, constant = state_row(zero, "start")
@@ -158,13 +158,14 @@ def start(scene: Scene) -> Iterator[Function]:
 
 
 def guess(scene: Scene) -> Function:
-    """Return the function of where a search for one motion begins."""
+    """Return the function of rough durations, from which a search begins."""
     summary = "Return rough durations of the phases, if the scene has them."
     assert isinstance(scene.guess, tuple | list)
     return _scalars("guess", summary, scene.guess)
 
 
 def _jump(phase: Phase, scene: Scene) -> tuple[sp.Expr, ...]:
+    """Return rho and d of each velocity at the end of a phase: ``v+ = rho v + d``."""
     if scene.body is None:
         _, rho, _, constant = form(phase.ends.jump.get(v, v), scene, phase.name, memory=False)
         return rho, constant

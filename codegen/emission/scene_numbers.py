@@ -1,4 +1,4 @@
-"""A scene as a module of plain Python: what solver and command line know without SymPy."""
+"""A scene as a module of plain Python, for solver and command line without SymPy."""
 
 import io
 from collections.abc import Iterable, Iterator
@@ -55,9 +55,9 @@ def scene_source(scene: Scene) -> str:
 
 
 def mathematics(scene: Scene) -> str:
-    """Return a hash of what fixes the motion, and the units of its unknowns.
+    """Return a hash of all that determines the motion and the units of its unknowns.
 
-    Not of words, defaults, guesses or extremes: none of these changes an orbit.
+    Words, defaults, guesses and extremes are left out: they change no orbit.
     """
     parameters = sorted(f"{q.name} {q.symbol.name}" for q in scene.parameters)
     phases = [(phase.name, phase.held is not None) for phase in scene.cell]
@@ -74,7 +74,7 @@ def _digests(body: Body) -> dict[str, str]:
 
 
 def matrices(scene: Scene) -> bytes:
-    """Return those matrices of a scene's body that have no parameters, as an ``.npz`` file."""
+    """Return the numeric matrices of a scene's body, and all shapes, as an ``.npz`` file."""
     assert scene.body is not None
     found: dict[str, np.ndarray] = {}
     for name, q in scene.body.arrays.items():
@@ -87,14 +87,14 @@ def matrices(scene: Scene) -> bytes:
 
 
 def _functions(scene: Scene) -> list[Function]:
-    """Return what a scene is in formulas; of several motions, what they share."""
+    """Return the functions of a scene; for several motions, those that they share."""
     if scene.motions:
         return list(whole(scene))
     return [*whole(scene), *of_phases(scene), *start(scene)]
 
 
 def _extremes(scene: Scene) -> str:
-    """Return what is said of the extremes: beside the body, which is the scene itself."""
+    """Return the text on the extremes, which is not part of the hashed text of the scene."""
     words = "\n".join(_table("EXTREMES", map(repr, scene.extremes)))
     found = extremes(scene)
     source = f"\n{found.source(scene)}\n" if found.entries else ""
@@ -102,6 +102,7 @@ def _extremes(scene: Scene) -> str:
 
 
 def _data(scene: Scene) -> Iterator[str]:
+    """Yield the lines of the constants of a scene."""
     frequency = next((q.name for q in scene.parameters if q.symbol == scene.frequency), None)
     yield f"NAME = {scene.name!r}"
     yield f"TITLE = {scene.title!r}"
@@ -121,26 +122,28 @@ def _data(scene: Scene) -> Iterator[str]:
     yield "#: Powers of mass, length and time in the unit of each."
     yield from _table("POWERS", (_powers(q.unit) for q in scene.parameters))
     if not scene.motions:
-        yield from _dataof_phases(scene)
+        yield from _data_of_phases(scene)
     yield "#: What must not be negative of the parameters."
     yield f"REQUIRES = {tuple(scene.requires)!r}"
 
 
 def _alone(scene: Scene) -> tuple[str, ...]:
-    """Return the methods for some scenes alone that apply to every motion of a scene."""
+    """Return the methods made for certain scenes only that apply to all motions of a scene."""
     found = (q for q in expansions.in_order() if hasattr(q, "applies"))
     each = scene.each_motion
     return tuple(q.METHOD for q in found if all(q.applies(motion) for motion in each))
 
 
 def _table(name: str, rows: Iterable[str]) -> Iterator[str]:
+    """Yield the lines of a tuple of rows."""
     yield f"{name} = ("
     yield from (f"    {row}," for row in rows)
     yield ")"
     yield ""
 
 
-def _dataof_phases(scene: Scene) -> Iterator[str]:
+def _data_of_phases(scene: Scene) -> Iterator[str]:
+    """Yield the lines of the constants of a scene's phases."""
     found, phases = switches(scene), scene.cell
     names = [phase.name for phase in phases]
     memory = tuple(
@@ -166,11 +169,13 @@ def _dataof_phases(scene: Scene) -> Iterator[str]:
 
 
 def _parameter(q: Parameter) -> tuple[object, ...]:
+    """Return the row of a parameter in ``PARAMETERS``."""
     symbol, most = q.symbol, None if q.most is None else float(q.most)
     bound = "positive" if symbol.is_positive else "nonnegative" if symbol.is_nonnegative else ""
     return q.name, symbol.name, q.unit, float(q.default), q.what, bound, most
 
 
 def _powers(unit: str) -> str:
+    """Return the row of a unit in ``POWERS``, as text."""
     parts = (str(float(p)) if p.denominator > 1 else str(p) for p in dimension_of(unit))
     return f"({', '.join(parts)})"

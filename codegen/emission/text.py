@@ -1,4 +1,4 @@
-"""The text of a module of closed forms, by `lambdify`."""
+"""The text of a module of closed forms, written by `lambdify`."""
 
 import inspect
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ from ..python_text import PRINTER, digest, math_names, rising
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """One function of a generated module: what SymPy derived, for `lambdify` to write.
+    """One function of a generated module, with expressions derived by SymPy.
 
     Parameters
     ----------
@@ -23,7 +23,7 @@ class ClosedForm:
     arguments : tuple of Symbol or IndexedBase
         In the order of the function's signature.
     values : tuple of Expr
-        What it returns; a scalar when there is one, else a tuple.
+        Its results: one is returned as a scalar, several as a tuple.
     """
 
     name: str
@@ -33,15 +33,15 @@ class ClosedForm:
 
 
 def expression_source(form: ClosedForm, value: sp.Expr) -> str:
-    """Return what `sympy.lambdify` writes behind ``return`` for one value of `form`."""
+    """Return the source of one value of `form`, as `sympy.lambdify` writes it."""
     if value.is_Integer:
-        return f"{value}.0"  # of one type with the other values
+        return f"{value}.0"  # a float like the other values
     function = sp.lambdify(form.arguments, value, modules="math", printer=PRINTER)
     return inspect.getsource(function).partition("return ")[2].strip()
 
 
 def function_source(form: ClosedForm) -> str:
-    """Return the source of one closed form: a value a line, as `lambdify` writes it."""
+    """Return the source of one closed form, with one value on each line."""
     arguments = ", ".join(str(argument) for argument in form.arguments)
     values = [expression_source(form, value) for value in form.values]
     if len(values) == 1:
@@ -54,9 +54,9 @@ def function_source(form: ClosedForm) -> str:
 def module_text(
     document: str, closed_forms: Sequence[ClosedForm], beside: Sequence[ClosedForm] = ()
 ) -> str:
-    """Return the text of a module: what it is, of which derivation, and its functions.
+    """Return the text of a module: its docstring, the hash of its derivation, its functions.
 
-    The derivation is of the closed forms and of those `beside` them, of another module.
+    The hash includes closed forms `beside` them, which are those of another module.
     """
     body = "\n\n".join(map(function_source, closed_forms))
     if "rising(" in body:
@@ -67,6 +67,6 @@ def module_text(
 
 
 def mark(closed_forms: Sequence[ClosedForm]) -> str:
-    """Return the line that says of which derivation a module is."""
+    """Return the line with the hash of the derivation of closed forms."""
     derived = "\n".join(f"{q.name}{q.arguments}{sp.srepr(q.values)}" for q in closed_forms)
     return f'MATHEMATICS = "{digest(derived)}"  # of the closed forms, by srepr\n'
