@@ -23,7 +23,7 @@ def event(notation: Notation, p: int) -> sp.Expr:
 
 
 def event_after(notation: Notation, p: int) -> sp.Expr:
-    """Return the same in the state after the switch, except a velocity that jumps."""
+    """Return the event function in the state after the switch, but for jumping velocities."""
     following = (p + 1) % len(notation.found)
     sign = notation.scene.sign if following == 0 else 1
     time = notation.side(following, "+") if following else notation.at(0)

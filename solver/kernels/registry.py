@@ -105,7 +105,7 @@ def kernel(
 def quicker_kernel(
     scene: LoadedScene, method: str, number: int | None = None, order: int = 0
 ) -> "Kernel":
-    """Return the same as `kernel`, compiled if that pays by now; see `compiling`.
+    """Return the `kernel`, compiled if that pays by now; see `compiling`.
 
     For a high `order` a kernel in numba's cache is compiled at its first use.
     """

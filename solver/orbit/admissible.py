@@ -145,7 +145,7 @@ def _unmet(orbit: Motion, unmet: float) -> list[str]:
 
 
 def _with_unmet(orbit: Motion, allowed: Allowance, unmet: float) -> Allowance:
-    """Return an allowance by which the demand that is the first event may be off by `unmet`."""
+    """Return an allowance raised to `unmet` for a demand that is the event of phase 0."""
 
     def allowed_with_unmet(p: int, form: Form) -> float:
         if p or not vanishes_by_event(orbit, p, form):

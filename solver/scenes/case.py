@@ -95,7 +95,7 @@ class Case:
         return self.scene, self.cycles, *self.values.values()
 
     def with_cycles(self, cycles: int) -> "Case":
-        """Return the case with another number of periods of the forcing in the motion's."""
+        """Return the case for motions whose period is `cycles` periods of the forcing."""
         return Case(self.scene, self.values, cycles)
 
     def of_motion(self, name: object) -> "Case":

@@ -26,7 +26,7 @@ def classes(cell: Cell) -> tuple[int, ...]:
 
 
 def _class(cell: Cell, p: int) -> int:
-    """Return the k at the switch that begins phase `p`, in the signs of the cell after it."""
+    """Return the k of the class C^k at the switch that begins phase `p`."""
     left, sign = (p - 1) % len(cell.phases), cell.sign if p == 0 else 1
     if any(jump != (1.0, 0.0) for jump in cell.phases[left].jumps):
         return 0
