@@ -67,7 +67,7 @@ class Shown(Motion, Tabular):
         Parameters
         ----------
         ax : matplotlib Axes, optional
-            Where to draw; default: new axes.
+            Axes to draw in; new ones by default.
         quantity : {"plane", "displacement", "velocity", "acceleration"}
             The phase plane, or one of the three against time in periods.
         **style

@@ -265,7 +265,7 @@ class Simulation(Tabular):
         Parameters
         ----------
         ax : matplotlib Axes, optional
-            Where to draw; default: new axes.
+            Axes to draw in; new ones by default.
         quantity : {"displacement", "velocity", "acceleration", "force", "plane"}
             What is drawn against time, the force of a body alone; or the phase plane.
         since : float

@@ -12,7 +12,7 @@ def plot(result: Any, ax: Any = None, **options: Any) -> Any:
     result : orbit, sweep, family, modes or simulation, or a sequence of these
         What to draw, by its own ``plot``.
     ax : matplotlib Axes, optional
-        Where to draw; default: new axes.
+        Axes to draw in; new ones by default.
     **options
         Passed on to ``result.plot``: ``quantity``, and the style of the lines.
 
