@@ -18,20 +18,19 @@ from ..steps.locate import NOISE
 from .modes import Modes, modes_of, power_of, real_of, rounded, size_of, value_of
 from .phases import TERMS, Phases
 
-#: What a form may be on a surface that it is known to be on, as a part of its factors and of
-#: the state.
+#: Size of a form on its own surface that is rounding, relative to its factors and the state.
 ON_IT = 1e-6
 
-#: Of `Along.leading`: zero all along.
+#: Value of `Along.leading` for a form that is identically zero.
 NEVER = TERMS + 1
 
-#: What counts of what drives a pole, beside what there is of it at first.
+#: Weight of the driven part of a pole beside its initial value, in the size of a form.
 DRIVEN = 1 / 16
 
 #: An exponent of which the exponential is finite.
 LARGE = 700.0
 
-#: What of a pole and of its drive is rounding, as parts of the fastest pole and of a state.
+#: Rounding of a pole, relative to the fastest, and of its drive, relative to the state.
 STILL = 1e-12
 
 
@@ -44,23 +43,22 @@ class Along(NamedTuple):
     by_poles, direct : ndarray of complex, shape (F, 2, m), (F, 2)
         The forms and their slopes, by the poles and by ``e^(i Omega t)``.
     fixed : ndarray, shape (F, 2)
-        What they have besides.
+        Their constant parts.
     leading : ndarray of int, shape (F,)
-        Which derivative is the first that is not zero at first; `TERMS` where none is yet, and
-        `NEVER` where no pole is seen.
+        Order of the first derivative that is not zero at the start; `TERMS` if none is found,
+        `NEVER` if the form sees no pole.
     rate : ndarray, shape (F,)
-        The size of that.
+        The modulus of that derivative.
     sizes : ndarray, shape (F,)
-        What each form is the sum of, added without sign, where the phase begins and by what
-        drives it: at rest that is all.
+        The sum of the moduli of the terms of each form, initial and driven ones: its rounding
+        is a part of it.
     near : ndarray of bool, shape (m,)
-        Which poles have no parts of their own.
+        Which poles are near the frequency that drives them.
     own, drive : ndarray, shape (m,)
-        The size of what of each pole is free where the phase begins, and of what drives it:
-        the one of those that are not near, the other of those that are.
+        The modulus of the free part of each pole that is not near, and of the drive of each
+        that is.
     waves, constant : ndarray, shape (F,)
-        What the steady answers of those that are not near make of forms: the size of a wave,
-        and a constant.
+        The steady answers of the poles that are not near, in each form: amplitude and constant.
     window, growth : float
         See `Poles`.
     """
@@ -84,8 +82,7 @@ class Along(NamedTuple):
 def leading(phases: Phases, row: int, Y: Vector, zero: bool) -> int:
     """Return the order of the first derivative that is not zero; `TERMS` if none is.
 
-    `zero` says that the state is known to be on the form's surface, whatever rounding makes of
-    it.
+    `zero`: the state is known to be on the form's surface, whatever the rounding.
     """
     rates, rounding = phases.forms.rates[row], phases.forms.rounding[row]
     known_to = rounded(Y, phases.poles.bases.shape[1])
@@ -108,7 +105,7 @@ def _largest(row: Vector, Y: Vector) -> float:
 
 
 def sign_after(phases: Phases, row: int, Y: Vector, zero: bool) -> int:
-    """Return the sign of a form just after a state: of its first derivative but zeros."""
+    """Return the sign of a form just after a state: of its first nonzero derivative."""
     order = leading(phases, row, Y, zero)
     if order == TERMS:
         return 0
@@ -127,9 +124,9 @@ def along_of(
     rows : ndarray of int, shape (F,)
         Which forms.
     signs : ndarray, shape (F,)
-        What each is multiplied by.
+        1 or -1: the factor of each.
     zeros : ndarray of bool, shape (F,)
-        Which are known to be zero in the state.
+        Which vanish at the state, exactly.
     """
     poles, count = phases.poles, len(rows)
     modes = modes_of(poles, omega, p, Y)
@@ -169,7 +166,7 @@ def along_of(
 
 
 def _sees_none(factors: Complex, row: Vector) -> bool:
-    """Whether what a form has of each pole is rounding, as that of what is held."""
+    """Whether the factors of all poles are rounding, as in a form of what is held."""
     size = float(np.abs(row).sum())
     for factor in factors:  # noqa: SIM110  (numba has no `any`)
         if abs(factor) > STILL * size:
@@ -178,9 +175,9 @@ def _sees_none(factors: Complex, row: Vector) -> bool:
 
 
 def _answer(modes: Modes, near: Indices, factors: Complex) -> tuple[complex, float]:
-    """Return what the steady answers of poles that are not near make of a form.
+    """Return a form of the steady answers of the poles that are not near.
 
-    The factor of ``e^(i Omega t)``, and a constant.
+    The factor of ``e^(i Omega t)``, and the constant.
     """
     wave, constant = 0j, 0.0
     for i in range(len(factors)):
@@ -193,7 +190,7 @@ def _answer(modes: Modes, near: Indices, factors: Complex) -> tuple[complex, flo
 
 
 def _parts(modes: Modes, near: Indices) -> tuple[Vector, Vector]:
-    """Return the size of what of each pole is its own, and of what drives it."""
+    """Return the moduli of the free part and of the drive of each pole; see `Along.own`."""
     own, drive = np.zeros(len(modes.start)), np.zeros(len(modes.start))
     for i in range(len(own)):
         if near[i]:
@@ -208,7 +205,7 @@ def _parts(modes: Modes, near: Indices) -> tuple[Vector, Vector]:
 
 
 def _amounts(modes: Modes, window: float) -> Vector:
-    """Return what each pole is the sum of, added without sign: at first, and in a time."""
+    """Return the size of each pole: of its initial value, or of its drive over a time."""
     found = np.zeros(len(modes.start))
     for i in range(len(found)):
         driven = 0.0
@@ -228,7 +225,7 @@ def value_at(along: Along, f: int, z: Complex, t: float) -> tuple[float, float]:
 
 
 def bounds(along: Along, order: int, t: float, h: float) -> Vector:
-    """Return what a derivative of each form never exceeds from a time on, for h.
+    """Return a bound of a derivative of each form on the interval from t to t + h.
 
     Where a body moves freely, one of order 2 or more.
     """
@@ -259,9 +256,9 @@ def bounds(along: Along, order: int, t: float, h: float) -> Vector:
 
 
 def least(along: Along, t: float, size: float) -> Vector:
-    """Return what each form is never below from a time on; minus infinity if not known.
+    """Return a lower bound of each form from a time on; minus infinity if none is known.
 
-    In a state of a size.
+    `size` is that of the state.
     """
     modes, speeds, factors = along.modes, np.abs(along.modes.poles), along.by_poles[:, 0]
     still = (speeds <= STILL * speeds.max()) & (along.drive <= STILL * size)

@@ -20,29 +20,29 @@ from .along import NEVER, Along, bounds, value_at
 from .modes import poles_at, power_of
 from .phases import TERMS
 
-#: Intervals that are looked at together, and how much longer they are after each success.
+#: Intervals that are examined together; the factor by which they grow after each success.
 POINTS, LONGER = 16, 4.0
 
-#: Times that intervals are divided or go on before a search is given up.
+#: Most rounds of a search.
 MOST_ROUNDS = 20_000
 
-#: Newton's steps and halvings to a zero, and those to that of a cubic.
+#: Most steps of Newton's method with bisection, to a zero of a form and of a cubic.
 STEPS, CUBIC = 60, 6
 
-#: Of a form in an interval: it has no zero there, may have one, is below zero at its end, and
-#: is that and falls all along.
+#: What is known of a form on an interval: it has no zero, may have one, is negative at the
+#: end, or is negative there and decreasing throughout.
 NO_ZERO, DOUBTFUL, BELOW, FALLING = range(4)
 
 
 def first_event(along: Along, most: float) -> tuple[float, int, int]:
-    """Return where the first of some forms vanishes: a time, how it ended, and which form.
+    """Return the time at which the first of some forms vanishes, how it ended, which form.
 
     How is `EVENT`, `CUT`, `BEYOND` or `LOST`.
 
     Parameters
     ----------
     along : Along
-        Each form is not negative just after its beginning.
+        Each form is not negative just after the start.
     most : float
         Time after which the search ends.
     """
@@ -99,10 +99,10 @@ def first_doubt(
     along: Along, states: Matrix, t: float, h: float, most: float, first: float,
     tolerance: Vector, kinds: Integers,
 ) -> tuple[int, bool]:  # fmt: skip
-    """Return the first interval in which a form may have a zero, and whether each of those has.
+    """Return the first interval in which a form may have a zero, and whether that is certain.
 
-    `POINTS` if there is none.  What is known of each form is put into `kinds`.  One that begins
-    at zero has no other until `first`.
+    `POINTS` if there is none.  `kinds` is filled with what is known of each form.  A form that
+    starts at zero has no other zero before the time `first`.
     """
     for k in range(POINTS):
         a, b = min(t + h * k, most), min(t + h * (k + 1), most)
@@ -122,13 +122,13 @@ def first_doubt(
 
 
 def waits(along: Along, values: Vector, h: float, tolerance: float) -> bool:
-    """Whether a form that is zero at first is so in an interval: what moves it comes later."""
+    """Whether a form that starts at zero is still zero, to rounding, on an interval."""
     most = max(abs(float(values[0])), abs(float(values[1])))
     return bool(h <= along.window / POINTS and most <= tolerance)
 
 
 def first_below(kinds: Integers) -> int:
-    """Return the first form that is below zero at the end of an interval, or `NONE`."""
+    """Return the first form that is negative at the end of an interval, or `NONE`."""
     for f in range(len(kinds)):
         if kinds[f] >= BELOW:
             return f
@@ -138,7 +138,7 @@ def first_below(kinds: Integers) -> int:
 def first_zero_of(
     along: Along, here: Matrix, there: Matrix, kinds: Integers, a: float, b: float
 ) -> tuple[float, int, int]:
-    """Return the first zero of the forms that fall all along an interval."""
+    """Return the first zero of the forms that decrease throughout an interval."""
     found, form = inf, 0
     for f in range(len(kinds)):
         if kinds[f] == FALLING:
@@ -148,9 +148,9 @@ def first_zero_of(
 
 
 def departs(along: Along, f: int, most: float) -> float:
-    """Return a time in which a form that begins at zero has no other zero.
+    """Return a time in which a form that starts at zero has no other zero.
 
-    Its first derivative that is not zero keeps half of its value.
+    Until then its first nonzero derivative keeps at least half of its value.
     """
     most = min(most, 1 / along.growth) if along.growth > 0 else most
     bound = float(bounds(along, int(along.leading[f]) + 1, 0.0, most)[f])
@@ -165,7 +165,7 @@ def cubic_of(here: Vector, there: Vector) -> tuple[float, float, float, float]:
 def kind_of(
     cubic: tuple[float, float, float, float], h: float, bound: float, tolerance: float
 ) -> int:
-    """Return what is known of a form in an interval, by its cubic and its fourth derivative."""
+    """Return what is known of a form, by its cubic and the bound of its fourth derivative."""
     left, right, falls, rises = cubic
     inner = min(left + h * falls / 3, right - h * rises / 3)
     if min(left, right, inner) - bound * power_of(h, 4) / 384 > -tolerance:
@@ -180,9 +180,9 @@ def kind_of(
 def zero_of(
     along: Along, f: int, a: float, b: float, cubic: tuple[float, float, float, float]
 ) -> float:
-    """Return the zero of a form that falls between two times, by Newton's method.
+    """Return the zero of a decreasing form between two times, by Newton's method.
 
-    It starts from that of the cubic by the values at both, and the slopes.
+    It starts from the zero of the cubic.
     """
     low, high, h = max(0.0, 2 * a - b), b, b - a  # it may begin below, by rounding
     t = a + h * zero_of_cubic(cubic[0], cubic[1], h * cubic[2], h * cubic[3])
@@ -204,7 +204,7 @@ def zero_of(
 
 
 def zero_of_cubic(start: float, end: float, falls: float, rises: float) -> float:
-    """Return about where a cubic that falls from 0 to 1 vanishes.
+    """Return the zero in [0, 1] of a decreasing cubic.
 
     Examples
     --------

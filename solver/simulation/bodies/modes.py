@@ -1,7 +1,6 @@
-"""The poles of a phase of a body from a state on, and what is made of numbers by them.
+"""The poles of a phase of a body as functions of time, from a state on.
 
-Sums are in their order and powers are products, so that functions give the same bits as plain
-Python and compiled by numba.
+Sums keep their order and powers are products: plain Python and numba then give the same bits.
 """
 
 from typing import NamedTuple
@@ -21,13 +20,14 @@ class Modes(NamedTuple):
     ----------
     omega : float
     free : int
-        In how many ways nothing holds the body.
+        The number of rigid-body modes.
     poles, start : ndarray of complex, shape (m,)
-        Each pole, and what there is of it at first.
+        The poles, and their initial values.
     drives, answers : ndarray of complex, shape (3, m)
-        What drives each, by ``e^(i Omega t), e^(-i Omega t), 1``, and its steady answers.
+        Factors of ``e^(i Omega t), e^(-i Omega t), 1`` that drive each pole, and its steady
+        answers to these.
     least : ndarray, shape (m,)
-        How far each is from what drives it.
+        The distance of each pole from the nearest frequency that drives it.
     """
 
     omega: float
@@ -40,7 +40,7 @@ class Modes(NamedTuple):
 
 
 def value_of(row: Vector, Y: Vector) -> float:
-    """Return a form of a state: as a sum in its order, compiled or not."""
+    """Return the value of a form, summed in order."""
     total = 0.0
     for i in range(len(row)):
         total += float(row[i]) * float(Y[i])
@@ -48,7 +48,7 @@ def value_of(row: Vector, Y: Vector) -> float:
 
 
 def size_of(row: Vector, Y: Vector) -> float:
-    """Return what a form of a state is the sum of, added without sign."""
+    """Return the sum of the moduli of the terms of a form."""
     total = 0.0
     for i in range(len(row)):
         total += abs(float(row[i]) * float(Y[i]))
@@ -56,9 +56,9 @@ def size_of(row: Vector, Y: Vector) -> float:
 
 
 def rounded(Y: Vector, n: int) -> Vector:
-    """Return what the entries of a state of n coordinates are rounded by, over rounding.
+    """Return the rounding errors of the entries of a state of n coordinates, in units of eps.
 
-    Cosine and sine are by the angle of the forcing, also where they are near 0.
+    Those of cosine and sine come from the angle of the forcing, also where they are near 0.
     """
     found = np.zeros(len(Y))
     for i in range(len(Y)):
@@ -67,7 +67,7 @@ def rounded(Y: Vector, n: int) -> Vector:
 
 
 def power_of(number: float, order: int) -> float:
-    """Return a power as products: compiled or not, they are rounded in the same way."""
+    """Return a power by products."""
     found = 1.0
     for _ in range(order):
         found *= number
@@ -98,9 +98,9 @@ def modes_of(poles: Poles, omega: float, p: int, Y: Vector) -> Modes:
 
 
 def poles_at(modes: Modes, t: float) -> Complex:
-    """Return the poles at a time from the beginning; shape (m,).
+    """Return the values of the poles at a time; shape (m,).
 
-    Of one that is near to its drive for so long the steady answer has no digits.
+    For a pole near its drive not by the steady answer, which would lose digits.
     """
     found = np.zeros(len(modes.poles), np.complex128)
     turning = 1j * modes.omega
@@ -126,7 +126,7 @@ def poles_at(modes: Modes, t: float) -> Complex:
 
 
 def state_at(poles: Poles, omega: float, p: int, Y: Vector, t: float) -> Vector:
-    """Return y at a time from the state in which a phase begins."""
+    """Return y at a time t after the state Y in which a phase begins."""
     z, found = poles_at(modes_of(poles, omega, p, Y), t), np.zeros(poles.bases.shape[1])
     for j in range(len(found)):
         found[j] = real_of(poles.bases[p, j], z)
@@ -134,9 +134,9 @@ def state_at(poles: Poles, omega: float, p: int, Y: Vector, t: float) -> Vector:
 
 
 def size_by_poles(poles: Poles, omega: float, p: int, row: Vector, Y: Vector) -> float:
-    """Return what a form is the sum of by the poles of a phase, where that begins.
+    """Return the sum of the moduli of the terms of a form in the eigenbasis of a phase.
 
-    More than by y where vectors are nearly one: it is located to the rounding of that.
+    Where eigenvectors are nearly parallel, it exceeds that of y, and limits the accuracy.
     """
     start, n = modes_of(poles, omega, p, Y).start, poles.bases.shape[1]
     total = size_of(row[n:], Y[n:])
@@ -149,7 +149,7 @@ def size_by_poles(poles: Poles, omega: float, p: int, row: Vector, Y: Vector) ->
 
 
 def real_of(factors: Complex, z: Complex) -> float:
-    """Return the real part of a sum by poles."""
+    """Return ``Re sum factors z``."""
     total = 0.0
     for i in range(len(z)):
         factor, value = complex(factors[i]), complex(z[i])

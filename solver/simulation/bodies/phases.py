@@ -1,4 +1,4 @@
-"""The phases of a body as arrays: its poles in each, its contacts, and forms by both.
+"""The phases of a body as arrays: poles, contacts, and linear forms.
 
 P phases, c contacts, n entries of y, W of ``Y = (y, cos, sin, 1, memory)``, F forms.  In each
 phase y is the real part of `bases` by m poles at most, one of each pair; see `bodies.flow`.
@@ -17,14 +17,14 @@ from ..steps import column
 from ..steps.rules import Rules, rules_of
 from .regime import Regime
 
-#: Derivatives of a form by time that are looked at.
+#: How many derivatives of a form by time are examined.
 TERMS = 6
 
-#: How near to a drive a pole has no parts of its own, as a part of the frequency of the
-#: forcing; where nothing forces, of the fastest pole.
+#: Distance of a pole from its drive below which it is near, relative to the frequency of the
+#: forcing or, without one, to the fastest pole.
 REACH, UNFORCED = 0.25, 1e-6
 
-#: Of `Laws.hit`: no contact alone is hit by a wall at rest.
+#: Value of `Laws.hit` where not exactly one contact jumps at a wall at rest.
 NO_CONTACT = -1
 
 
@@ -34,19 +34,19 @@ class Poles(NamedTuple):
     Parameters
     ----------
     counts, free : ndarray of int, shape (P,)
-        How many there are, and in how many ways nothing holds the body.
+        The numbers of poles and of rigid-body modes.
     values : ndarray of complex, shape (P, m)
     bases, inverses : ndarray of complex, shape (P, n, m), (P, m, n)
     inputs : ndarray of complex, shape (P, m, W - n)
-        What drives each, by cos, sin, 1, memory.
+        What drives each pole: factors of cos, sin, 1, memory.
     apart : ndarray of complex, shape (P, 3, m)
         ``q - s`` of each pole s for q of ``e^(i Omega t), e^(-i Omega t), 1``; 1 for 0.
     least : ndarray, shape (P, m)
-        How far each is from what drives it.
+        The distance of each pole from the nearest frequency that drives it.
     near : ndarray of bool, shape (P, m)
-        Which have no parts of their own.
+        Whether that is too small for a steady answer.
     window, growth : ndarray, shape (P,)
-        A time in which a motion does not turn often; the largest rate at which one grows.
+        A time in which a motion has few extremes; the largest growth rate.
     """
 
     counts: Integers
@@ -63,28 +63,28 @@ class Poles(NamedTuple):
 
 
 class Laws(NamedTuple):
-    """What phases and their switches make of contacts.
+    """Contacts in the phases, and at their switches.
 
     Parameters
     ----------
     velocity : ndarray, shape (P, c, 3, W)
         Velocity, acceleration and its rate.
     place, rounding : ndarray, shape (P, c, W)
-        Displacement; what the velocity is a sum of, by the size of Y.
+        Displacement; moduli of the terms of the velocity, by the entries of Y.
     seen : ndarray, shape (S, W)
-        What forms are of, the contact forces left out.
+        The variables of forms, without contact forces.
     struck : ndarray, shape (n, c)
-        What impulses add to y.
+        The change of y by impulses.
     switching, holding : ndarray, shape (P, c, W)
-        The impulses at the event of a phase, and those that give it the velocity at which it is
-        held.
+        The impulses at the event of a phase, and those that bring a contact to the velocity at
+        which it is held.
     jumps, moving, rests : ndarray of bool, shape (P,)
-        Whether a velocity jumps at its event, the event is of a velocity, and the jump leaves
-        the velocity of the phase behind it.
+        Whether a velocity jumps at its event; whether the event is of a velocity; whether the
+        jump leaves the velocity at which the next phase is held.
     hit : ndarray of int, shape (P,)
         The contact that jumps, if it is one alone and its wall is at rest.
     rho, speed : ndarray, shape (P,)
-        What of its velocity is left; that at which a phase is held.
+        The factor of its velocity; the velocity at which a phase is held.
     """
 
     velocity: Matrix
@@ -110,9 +110,9 @@ class Forms(NamedTuple):
     rates : ndarray, shape (F, TERMS, W)
         The form and its derivatives by time.
     rounding : ndarray, shape (F, TERMS, W)
-        What they are sums of, by the size of Y.
+        The moduli of their terms, by the entries of Y.
     by_poles : ndarray of complex, shape (F, 2, m)
-        The same two by the poles.
+        The form and its slope, by the poles.
     """
 
     rates: Matrix
@@ -162,7 +162,7 @@ def poles_of(regimes: Sequence[Regime]) -> Poles:
 
 
 def laws_of(regimes: Sequence[Regime]) -> Laws:
-    """Return what phases, in the order of their cell, make of contacts."""
+    """Return contacts in phases, in the order of their cell."""
     velocity = np.array([_rates(each, each.contacts[1], 3) for each in regimes])
     switching, holding, hit, rho = [], [], [], []
     for each in regimes:
@@ -221,17 +221,16 @@ def _rates(regime: Regime, rows: Matrix, count: int) -> Matrix:
 
 
 def _rounding(regime: Regime, rows: Matrix) -> Matrix:
-    """Return what forms are sums of, by the size of Y.
+    """Return the moduli of the terms of forms, by the entries of Y.
 
-    Places and velocities are known to the rounding of their way in a unit of time, also where
-    they are 0.
+    The rounding of a place or a velocity is at least that of its change in a unit of time.
     """
     size = np.abs(rows)
     return np.asarray(size + size @ np.abs(regime.generator))
 
 
 def _impulses(regime: Regime, law: tuple[Matrix, Matrix]) -> Matrix:
-    """Return impulses by Y, from those by the velocities of the contacts and a constant."""
+    """Return impulses as forms of Y, from those by contact velocities and a constant."""
     by_velocity, constant = law
     found = by_velocity @ regime.contacts[1]
     found[:, regime.states + 2] += constant
