@@ -22,7 +22,7 @@ def row_0(m, c, k, s):
 
 
 def row_0_by_s(m, c, k, s):
-    """Return their derivatives by s."""
+    """Return the derivatives of `row_0` by s."""
     return (
         0.0,
         k/2,
@@ -44,7 +44,7 @@ def row_1(m, c, k, s):
 
 
 def row_1_by_s(m, c, k, s):
-    """Return their derivatives by s."""
+    """Return the derivatives of `row_1` by s."""
     return (
         k/2,
         (c + k*s)/2,
@@ -66,7 +66,7 @@ def row_l(l, m, c, k, s):
 
 
 def row_l_by_s(l, m, c, k, s):
-    """Return their derivatives by s."""
+    """Return the derivatives of `row_l` by s."""
     return (
         (k*s)/(2*(2*l - 3)*(2*l - 1)),
         c/(4*l - 2),
@@ -77,7 +77,7 @@ def row_l_by_s(l, m, c, k, s):
 
 
 def displacement_gained(s):
-    """Return what a phase adds to the displacement: the coefficients of v, d_0, d_1."""
+    """Return the change of the displacement over a phase: the coefficients of v, d_0, d_1."""
     return (
         s,
         (s*s)/2,
@@ -86,7 +86,7 @@ def displacement_gained(s):
 
 
 def displacement_gained_by_s(s):
-    """Return their derivatives by s."""
+    """Return the derivatives of `displacement_gained` by s."""
     return (
         1.0,
         s,
@@ -95,27 +95,27 @@ def displacement_gained_by_s(s):
 
 
 def derivative_at_end(n, q, s):
-    """Return the part of d_n in derivative q of the acceleration where a phase ends."""
+    """Return the coefficient of d_n in derivative q of the acceleration at the end of a phase."""
     return rising(n - q + 1, 2*q)/(s**q*rising(1, q))
 
 
 def derivative_at_end_by_s(n, q, s):
-    """Return their derivatives by s."""
+    """Return the derivatives of `derivative_at_end` by s."""
     return -(q*rising(n - q + 1, 2*q))/(s**(q + 1)*rising(1, q))
 
 
 def unseen(m, l, k):
-    """Return the weight of P_l* in the polynomial of degree m that no test of C^k sees."""
+    """Return the part of P_l* in the polynomial of degree m orthogonal to all tests of C^k."""
     return ((-1)**(-l + m)*(2*l + 1)*rising(-l + m + 1, k)*rising(l + m + 2, k))/(rising(m + 1, k + 1)*rising(1, k))
 
 
 def of_moment(l, force):
-    """Return the force in the row of degree l, of a moment of the forcing."""
+    """Return the term of the forcing in the row of degree l, from its moment of that degree."""
     return force*(2*l + 1)
 
 
 def moment_by_kappa(l):
-    """Return d mu_l/d kappa: its parts of nu_(l - 1), nu_l, nu_(l + 1)."""
+    """Return d mu_l/d kappa: the coefficients of nu_(l - 1), nu_l, nu_(l + 1)."""
     return (
         l/(4*l + 2),
         1/2,

@@ -22,7 +22,7 @@ def products(j, n, C, S):
 
 
 def alone(above, own):
-    """Return them where C[j + n] and C[j - n] are the only entries of the tables."""
+    """Return `products` where all entries of the tables but C[j + n] and C[j - n] are 0."""
     return (
         -above/2 + own/2,
         0.0,
@@ -48,7 +48,7 @@ def by_time(omega, sine, cosine):
 
 
 def in_the_middle():
-    """Return beta_0, beta_1, ... at u = 1/2 where the motion repeats itself."""
+    """Return beta_0, beta_1, ... at u = 1/2, for a motion that repeats itself."""
     return (
         -1.0,
         0.0,
@@ -66,7 +66,7 @@ def in_the_middle():
 
 
 def in_the_middle_mirrored():
-    """Return beta_0, beta_1, ... at u = 1/2 where the motion repeats with the opposite sign."""
+    """Return beta_0, beta_1, ... at u = 1/2, for a motion that repeats with the opposite sign."""
     return (
         0.0,
         1/2,
@@ -84,7 +84,7 @@ def in_the_middle_mirrored():
 
 
 def integral(l):
-    """Return what P_(l-1)*, P_(l+1)* of a function are in its integral, in P_l*."""
+    """Return the factors of f_(l-1), f_(l+1) in coefficient l of the integral of f."""
     return (
         1/(4*l - 2),
         -1/(4*l + 6),

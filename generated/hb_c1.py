@@ -36,7 +36,7 @@ def on_phases(s_held, s_free):
 
 
 def on_phases_by_s_held(s_held, s_free):
-    """Return their derivatives by s_held."""
+    """Return the derivatives of `on_phases` by s_held."""
     return (
         0.0,
         0.0,
@@ -60,7 +60,7 @@ def on_phases_by_s_held(s_held, s_free):
 
 
 def on_phases_by_s_free(s_held, s_free):
-    """Return their derivatives by s_free."""
+    """Return the derivatives of `on_phases` by s_free."""
     return (
         0.0,
         0.0,
@@ -84,7 +84,7 @@ def on_phases_by_s_free(s_held, s_free):
 
 
 def by_itself(m, k, s_held, s_free):
-    """Return the integral of the left side for G with G, and its derivatives."""
+    """Return the integral of G times the left side for G, and its rates by both durations."""
     return (
         (k*(s_free*s_free*s_free*s_free) + 9*k*(s_free*s_free*s_free)*s_held + 78*k*(s_free*s_free)*(s_held*s_held) - 42*m*(s_free*s_free) - 294*m*s_free*s_held - 252*m*(s_held*s_held))/(210*s_free*((s_free + s_held)*(s_free + s_held))),
         (k*(s_free*s_free*s_free) + 21*k*(s_free*s_free)*s_held - 30*m*s_free - 30*m*s_held)/(30*((s_free + s_held)*(s_free + s_held)*(s_free + s_held))),
@@ -93,7 +93,7 @@ def by_itself(m, k, s_held, s_free):
 
 
 def force_by(f, s_held, s_free):
-    """Return that of the force with G, and its derivatives."""
+    """Return the integral of G times the force, and its rates by both durations."""
     return (
         -(f*s_free*s_held)/(2*s_free + 2*s_held),
         -(f*(s_free*s_free))/(2*((s_free + s_held)*(s_free + s_held))),

@@ -45,13 +45,15 @@ def closed_forms() -> Iterator[ClosedForm]:
     what = "Return T**2 G'', T G', G on both phases, each as a series of Legendre polynomials."
     yield ClosedForm("on_phases", what, TIMES.durations, series)
     for time in TIMES.durations:
-        what, name = f"Return their derivatives by {time}.", f"on_phases_by_{time}"
+        what, name = f"Return the derivatives of `on_phases` by {time}.", f"on_phases_by_{time}"
         rates = tuple(sp.factor(sp.diff(value, time)) for value in series)
         yield ClosedForm(name, what, TIMES.durations, rates)
-    what = "Return the integral of the left side for G with G, and its derivatives."
+    what = (
+        "Return the integral of G times the left side for G, and its rates by both durations."
+    )
     square = _with_rates(hb_c1.by_itself(FREE, TIMES))
     yield ClosedForm("by_itself", what, (m, k, *TIMES.durations), square)
-    what = "Return that of the force with G, and its derivatives."
+    what = "Return the integral of G times the force, and its rates by both durations."
     force = _with_rates(hb_c1.force_by(FREE, TIMES))
     yield ClosedForm("force_by", what, (f, *TIMES.durations), force)
 

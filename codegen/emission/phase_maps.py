@@ -46,20 +46,24 @@ def closed_forms(rest: Rest) -> Iterator[ClosedForm]:
     yield from _row("row_0", zero, (x, v, d[0], d[1], d[2]))
     yield from _row("row_1", one, (v, d[0], d[1], d[2], d[3]))
     yield from _row("row_l", l, tuple(d[l + i] for i in range(-2, 3)))
-    what = "what a phase adds to the displacement: the coefficients of v, d_0, d_1"
+    what = "the change of the displacement over a phase: the coefficients of v, d_0, d_1"
     gained = _coefficients(SERIES.at_end(0), (v, d[0], d[1]))  # x itself is left out
     yield from _with_rate("displacement_gained", what, (s,), gained)
-    what = "the part of d_n in derivative q of the acceleration where a phase ends"
+    what = "the coefficient of d_n in derivative q of the acceleration at the end of a phase"
     part = SERIES.at_end(q + 2).function.coeff(d[degree])
     yield from _with_rate("derivative_at_end", what, (degree, q, s), (part,))
-    what = "Return the weight of P_l* in the polynomial of degree m that no test of C^k sees."
+    what = (
+        "Return the part of P_l* in the polynomial of degree m orthogonal to all tests of C^k."
+    )
     yield ClosedForm("unseen", what, (highest, l, of_class), (rest(highest, l, of_class),))
-    what = "Return the force in the row of degree l, of a moment of the forcing."
+    what = (
+        "Return the term of the forcing in the row of degree l, from its moment of that degree."
+    )
     harmonic = -SERIES.residual(LinearPhase(zero, zero, zero, zero, one), l, force)
     yield ClosedForm("of_moment", what, (l, force), (harmonic,))
     kappa = sp.Symbol("kappa")
     rate = Moments(moment, turned, kappa, sp.Symbol("theta")).rate(kappa)
-    what = "Return d mu_l/d kappa: its parts of nu_(l - 1), nu_l, nu_(l + 1)."
+    what = "Return d mu_l/d kappa: the coefficients of nu_(l - 1), nu_l, nu_(l + 1)."
     parts = _coefficients(rate, (turned[l - 1], turned[l], turned[l + 1]))
     yield ClosedForm("moment_by_kappa", what, (l,), parts)
 
@@ -85,7 +89,8 @@ def _with_rate(
     """Yield a closed form and its derivative by the duration."""
     yield ClosedForm(name, f"Return {what}.", arguments, values)
     rates = tuple(sp.factor(sp.diff(value, s)) for value in values)
-    yield ClosedForm(f"{name}_by_s", "Return their derivatives by s.", arguments, rates)
+    what = f"Return the derivatives of `{name}` by s."
+    yield ClosedForm(f"{name}_by_s", what, arguments, rates)
 
 
 def module_source(expansion: ModuleType) -> str:

@@ -69,7 +69,7 @@ def whole(scene: Scene) -> Iterator[Function]:
     """Yield the functions on a scene as a whole."""
     sizes = scales(scene.each_motion[0])
     yield _scalars("scales", "Return the units of mass, time and length.", sizes)
-    summary = "Return what must not be negative of the parameters."
+    summary = "Return the expressions in the parameters that must not be negative."
     yield _scalars("requires", summary, scene.requires.values())
 
 
@@ -153,7 +153,9 @@ def start(scene: Scene) -> Iterator[Function]:
     if scene.start:
         zero = sp.Add(*(symbol - value for symbol, value in scene.start.items()))
         of_x, of_v, _, constant = state_row(zero, "start")
-        summary = "Return x, v and constant of what is zero where the first phase begins."
+        summary = (
+            "Return the linear form in x, v, 1 that is zero at the start of the first phase."
+        )
         yield _scalars("start", summary, (of_x, of_v, constant))
 
 

@@ -123,7 +123,7 @@ def _data(scene: Scene) -> Iterator[str]:
     yield from _table("POWERS", (_powers(q.unit) for q in scene.parameters))
     if not scene.motions:
         yield from _data_of_phases(scene)
-    yield "#: What must not be negative of the parameters."
+    yield "#: The expressions in the parameters that must not be negative, in words."
     yield f"REQUIRES = {tuple(scene.requires)!r}"
 
 

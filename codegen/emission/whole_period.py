@@ -55,7 +55,7 @@ def closed_forms() -> Iterator[ClosedForm]:
     values = (*_products(by_sine), *_products(by_cosine))
     yield ClosedForm("products", what, (j, n, C, S), values)
     known = {C[j + n]: above, C[j - n]: own, S[j + n]: 0, S[j - n]: 0}
-    what = "Return them where C[j + n] and C[j - n] are the only entries of the tables."
+    what = "Return `products` where all entries of the tables but C[j + n] and C[j - n] are 0."
     yield ClosedForm("alone", what, (above, own), tuple(value.subs(known) for value in values))
     forces = (_of_forcing(by_sine), _of_forcing(by_cosine))
     what = "Return the integrals of sine and cosine j with the forcing."
@@ -66,11 +66,11 @@ def closed_forms() -> Iterator[ClosedForm]:
         middle = sp.Rational(1, 2)
         values = tuple(beta(q, middle, sign) for q in range(LAST + 1))
         words = "itself" if sign == 1 else "with the opposite sign"
-        what = f"Return beta_0, beta_1, ... at u = 1/2 where the motion repeats {words}."
+        what = f"Return beta_0, beta_1, ... at u = 1/2, for a motion that repeats {words}."
         yield ClosedForm(name, what, (), values)
     series = sp.IndexedBase("series")
     parts = weights(integrated(lambda q: series[q], l), {series[l - 1], series[l + 1]})
-    what = "Return what P_(l-1)*, P_(l+1)* of a function are in its integral, in P_l*."
+    what = "Return the factors of f_(l-1), f_(l+1) in coefficient l of the integral of f."
     yield ClosedForm("integral", what, (l,), (parts[series[l - 1]], parts[series[l + 1]]))
 
 

@@ -25,7 +25,7 @@ def extremes(m1, m2, k1, k2, c1, c2, f_R, F, Omega):
 
 
 MATHEMATICS = "5570f5bb39a077256c82effc9be8488df3732dac4b33bf95461a14f6ea785e14"  # of what fixes its motion
-BODY = "d379ddcb8a9c55fd1baf347918ccc0509df94f9ed5ec5d11e5dff279605bcace"  # of the text below
+BODY = "302c90384c69da9f12683eee0c258517d09f3d888acd46206e732e9303dad9e8"  # of the text below
 
 NAME = 'absorber-friction'
 TITLE = 'a driven mass and a tuned absorber, with dry friction between them'
@@ -80,7 +80,7 @@ MEMORY = ()
 DEMANDS = (('the absorber slips forward',), ('friction holds', 'friction holds'))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

@@ -29,7 +29,7 @@ def extremes(m, c, k, k_0, g, F, Omega):
 
 
 MATHEMATICS = "06718938ed5de4dfae7dff0e327e7b6daf802d4b93a65531811cbc8903d2119b"  # of what fixes its motion
-BODY = "4eca5bd72b48a4cdd92da53992b0262f70b34913842544e97b332d334ccd25f1"  # of the text below
+BODY = "0eea8bab2601632c7154a3b7551ed6f11693c245d6f9d0de426c19364d6246c3"  # of the text below
 
 NAME = 'backlash'
 TITLE = 'a driven mass with play on both sides of its spring'
@@ -78,7 +78,7 @@ MEMORY = ()
 DEMANDS = (('the spring is engaged',), ('the mass stays within the play', 'the mass stays within the play'))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

@@ -27,7 +27,7 @@ def extremes(zeta, n_m, k_c, g, F, Omega):
 
 
 MATHEMATICS = "1a0ffa99c85b3427a965965bad11ba8a5ee6464193b58e7cb09d085c5a9b4537"  # of what fixes its motion
-BODY = "72f7560435a3a69e075ce2326e2c7c5f07ce8c45f0506196a9655caa01875768"  # of the text below
+BODY = "7b1bc89587277b40803bbd33c9baf87a0955d88368ccf1b6b59770e8bbf385ac"  # of the text below
 
 NAME = 'beam-clearance'
 TITLE = 'a steel cantilever with an elastic stop behind a gap at its tip'
@@ -76,7 +76,7 @@ MEMORY = ()
 DEMANDS = (('the tip presses the stop',), ('the tip stays before the stop',))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

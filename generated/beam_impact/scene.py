@@ -27,7 +27,7 @@ def extremes(zeta, n_m, g, r, F, Omega):
 
 
 MATHEMATICS = "14dbd6a99c5a23a6ce27ee473218c39a1c6e4b902bfa1ae3f5596149d84aba68"  # of what fixes its motion
-BODY = "6124e4220861d2b984258d05bdba157e9c7c954331d7342d724b76bcae594a7b"  # of the text below
+BODY = "a9a6534d28525c384981852f6e1700b5648d93dcc63643e076ef262fdfce8953"  # of the text below
 
 NAME = 'beam-impact'
 TITLE = 'a steel cantilever with a mass at its tip that bounces off a rigid stop'
@@ -76,7 +76,7 @@ MEMORY = ()
 DEMANDS = (('the tip stays before the stop',),)
 SWITCH_DEMANDS = ((),)
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

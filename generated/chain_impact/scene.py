@@ -25,7 +25,7 @@ def extremes(m, c, k, g, r, F, Omega):
 
 
 MATHEMATICS = "a40a718c0c300187a72d468fba1fe24533a2dd3af95b0fbeeaeac7570966e35a"  # of what fixes its motion
-BODY = "0d307d3a6f3c9ba5d9bf2fd1d1c0ea11a9a04d53b293e62e1f37733dc2c814de"  # of the text below
+BODY = "08f4beef909c33f167d132ce939617b25e2f64d1abe72d3c39e651b03ff3db7c"  # of the text below
 
 NAME = 'chain-impact'
 TITLE = '5 masses in a row, the last of which bounces off a stop'
@@ -76,7 +76,7 @@ MEMORY = ()
 DEMANDS = (('the last mass stays before the stop',),)
 SWITCH_DEMANDS = ((),)
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

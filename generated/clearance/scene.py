@@ -35,7 +35,7 @@ def extremes(m, c, k, k_c, g, F, Omega):
 
 
 MATHEMATICS = "e8d5d31d03f8f7339d1e8f0676521e48d780e46bfa0ba59140a98d51ea2e9cbe"  # of what fixes its motion
-BODY = "b141bddd9783067977f70abd85d6c68d486cef9a754d959fd0b53192365a0c22"  # of the text below
+BODY = "9bc83d7ec1d0c70fc6848da3e78b92570caf27dc09fe7afbb9105879019f06c2"  # of the text below
 
 NAME = 'clearance'
 TITLE = 'a driven mass with a second spring behind a clearance'
@@ -84,7 +84,7 @@ MEMORY = ()
 DEMANDS = (('the second spring is pressed',), ('the mass stays off the second spring',))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

@@ -26,7 +26,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 MATHEMATICS = "eb7f736c84d7665558d51619fdb91bb007e095999733935ca72f0bcb37b44900"  # of what fixes its motion
-BODY = "127367f76747110072274e2d31565b08b9469cefce55d3d46183508956588b98"  # of the text below
+BODY = "ffb0cc670f9247627c4a859ef31f283d3d18d342cb1c651d3f72d63f53ab000b"  # of the text below
 
 NAME = 'dry-friction'
 TITLE = 'a driven mass with dry friction'
@@ -62,7 +62,7 @@ POWERS = (
     (0, 0, -1),
 )
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)
 
 
@@ -76,7 +76,7 @@ def scales(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 def requires(m, c, k, F_N, mu_s, mu_k, F, Omega):
-    """Return what must not be negative of the parameters."""
+    """Return the expressions in the parameters that must not be negative."""
     return (
         -mu_k + mu_s,
     )

@@ -35,7 +35,7 @@ def extremes(m, c, k, F_y, h, F, Omega):
 
 
 MATHEMATICS = "63955929b2bd9ff90460bb747ab34ee37fce4750734e4ade22e85a934edee892"  # of what fixes its motion
-BODY = "85883d9830406db660b70b769c99ea4091b015434b9ae3b3933db19582e78d7f"  # of the text below
+BODY = "814fc60c6cb370208dc35709ef615c8a7532b68b3cd0826405ed1870be9d43ef"  # of the text below
 
 NAME = 'elastic-plastic'
 TITLE = 'a driven mass on an elastic-plastic element'
@@ -84,7 +84,7 @@ MEMORY = (('w', 0, 0, 'displacement where the motion reverses'),)
 DEMANDS = (('the force stays within the yield force', 'the force stays within the yield force'), ('the mass moves backward',))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

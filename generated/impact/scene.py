@@ -35,7 +35,7 @@ def extremes(m, c, k, F, Omega, g, r):
 
 
 MATHEMATICS = "3ed960e7555145f22aedf028c5b7fa15bd4cff7d47800c08a4be2c8f613906a3"  # of what fixes its motion
-BODY = "0cff7c86af5a9e40394d0a790953ee91884baed0a65596dec15894af60ca93ca"  # of the text below
+BODY = "05c76ab6094eb20d03ddfc94a2ed74812873368d227173429e383608ff7408a0"  # of the text below
 
 NAME = 'impact'
 TITLE = 'a driven mass that bounces off a stop'
@@ -84,7 +84,7 @@ MEMORY = ()
 DEMANDS = (('the mass stays before the stop',),)
 SWITCH_DEMANDS = ((),)
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

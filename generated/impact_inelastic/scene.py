@@ -29,7 +29,7 @@ def extremes(m, c, k, F, Omega, g):
 
 
 MATHEMATICS = "f819b331bd93c58b00c9b5be5a86e7d6ad9c56b81335f74c8c5a1e14191abb92"  # of what fixes its motion
-BODY = "08e8e21ec8101e0c503a4bff7b690eb0773d81b282f8eaddce664f0ad88f14c4"  # of the text below
+BODY = "0a595d6338c705f104cab317558357baa364833857cdf98b7f48fa7c556e0679"  # of the text below
 
 NAME = 'impact-inelastic'
 TITLE = 'a driven mass that hits a stop and rests on it'
@@ -76,7 +76,7 @@ MEMORY = ()
 DEMANDS = (('the mass stays before the stop',), ('the mass is pressed on to the stop',))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

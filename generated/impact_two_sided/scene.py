@@ -33,7 +33,7 @@ def extremes(m, c, k, F, Omega, g, r):
 
 
 MATHEMATICS = "8906079daa39669ab5399c649d3bec38a04e75b7f04f6e96dac9a68949808ab5"  # of what fixes its motion
-BODY = "8b995ea7d09437f58a73390a4dc188a90cba44f709c595da0a76cd93a155a3f5"  # of the text below
+BODY = "64d1a7342790f85243b47668c26a9226ea06a7be3e31a50667485c3534781893"  # of the text below
 
 NAME = 'impact-two-sided'
 TITLE = 'a driven mass that bounces between two stops'
@@ -82,7 +82,7 @@ MEMORY = ()
 DEMANDS = (('the mass stays between the stops', 'the mass stays between the stops'),)
 SWITCH_DEMANDS = ((),)
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

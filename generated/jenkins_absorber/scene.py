@@ -25,7 +25,7 @@ def extremes(m1, m2, k1, k2, k_t, c1, c2, f_R, F, Omega):
 
 
 MATHEMATICS = "b6a7f8075a23e5c7c643792e92a766f43428ac4080a1827f00b0714e3f606108"  # of what fixes its motion
-BODY = "04ce99da2c3e78446ef59f07cf9a5276a5fecf03c8a0548e39e89ce6ac4f7a0e"  # of the text below
+BODY = "fed33588624c4350d9d2badd724c28b4f5420e28a4b648fe6a70f9d490d05ced"  # of the text below
 
 NAME = 'jenkins-absorber'
 TITLE = 'a driven mass and an absorber, joined by a spring and a slider in series'
@@ -82,7 +82,7 @@ MEMORY = (('w', 1, 0, 'where the slider is'),)
 DEMANDS = (('the joint slips forward',), ('the slider holds', 'the slider holds'))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()
 
 

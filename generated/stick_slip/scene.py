@@ -35,7 +35,7 @@ def extremes(M, K, V, mu_s, mu_k, F_N):
 
 
 MATHEMATICS = "b126a957aaa75bfcd0d08fe86940acc128fac96454a28d15ef426da8ef16187a"  # of what fixes its motion
-BODY = "2226c13a4b242b0934e6f11ba0bb898826cfa9c5dbe4bf5f2cc093f9ac597a56"  # of the text below
+BODY = "678311c2eb3890f361bcfa363b208e0f10713ba78d3e4ed7602e86fa69756d21"  # of the text below
 
 NAME = 'stick-slip'
 TITLE = 'a mass on a moving belt, stick and slip'
@@ -82,7 +82,7 @@ MEMORY = ()
 DEMANDS = (('the spring force stays within the static limit', 'the spring force stays within the static limit'), ('the mass stays slower than the belt',))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)
 
 
@@ -96,7 +96,7 @@ def scales(M, K, V, mu_s, mu_k, F_N):
 
 
 def requires(M, K, V, mu_s, mu_k, F_N):
-    """Return what must not be negative of the parameters."""
+    """Return the expressions in the parameters that must not be negative."""
     return (
         -mu_k + mu_s,
     )
@@ -151,7 +151,7 @@ def switch_demands(M, K, V, mu_s, mu_k, F_N):
 
 
 def start(M, K, V, mu_s, mu_k, F_N):
-    """Return x, v and constant of what is zero where the first phase begins."""
+    """Return the linear form in x, v, 1 that is zero at the start of the first phase."""
     return (
         1,
         0,

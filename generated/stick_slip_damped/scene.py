@@ -37,7 +37,7 @@ def extremes(M, K, V, mu_s, mu_k, F_N, c, w):
 
 
 MATHEMATICS = "6f2862355a3421eb06cc761ae3464832484bb715a044bf0e09afecc2e3d9645c"  # of what fixes its motion
-BODY = "65dd7e17c6806cfe781814ce08bfe097996185c92cb71e78227b2c07a4a19626"  # of the text below
+BODY = "b6e287b098011eddc7529be576da202e9c218515314b91c3ea47a133235fe5eb"  # of the text below
 
 NAME = 'stick-slip-damped'
 TITLE = 'a damped mass on a moving belt, with weakening friction'
@@ -88,7 +88,7 @@ MEMORY = ()
 DEMANDS = (('the load stays within the static limit', 'the load stays within the static limit'), ('the mass stays slower than the belt',))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)
 
 
@@ -102,7 +102,7 @@ def scales(M, K, V, mu_s, mu_k, F_N, c, w):
 
 
 def requires(M, K, V, mu_s, mu_k, F_N, c, w):
-    """Return what must not be negative of the parameters."""
+    """Return the expressions in the parameters that must not be negative."""
     return (
         -mu_k + mu_s,
     )

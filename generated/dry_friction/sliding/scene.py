@@ -29,7 +29,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 MATHEMATICS = "e7d0a2e72aed33017469aa3655b8d9278ff1bb7534d2392ca279e7ca25da59e2"  # of what fixes its motion
-BODY = "dc1a58f6a8b8739f71b3e8171b27176a4023c1105064eccd5da8bf4d2fd48e4b"  # of the text below
+BODY = "9011bd8cd3c30b9707e47ee58e70a1b111107f6dfd9c8676d5d4467ba06e5ee6"  # of the text below
 
 NAME = 'dry-friction'
 TITLE = 'a driven mass with dry friction'
@@ -80,7 +80,7 @@ MEMORY = ()
 DEMANDS = (('the mass slides backward',),)
 SWITCH_DEMANDS = (('the load exceeds the static limit',),)
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)
 
 
@@ -94,7 +94,7 @@ def scales(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 def requires(m, c, k, F_N, mu_s, mu_k, F, Omega):
-    """Return what must not be negative of the parameters."""
+    """Return the expressions in the parameters that must not be negative."""
     return (
         -mu_k + mu_s,
     )

@@ -29,7 +29,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 MATHEMATICS = "10754724b0139dd2c451d5192dfcb497f5123921a83704774a9c105895e6d301"  # of what fixes its motion
-BODY = "4a587783ece0cdc8f011e541848810c56529b57bf4883e40ab94b10462c58419"  # of the text below
+BODY = "8cfd79713f3a9289378de8ce994416eb8b2b46c522bd1e3e7ff94d88a4e33083"  # of the text below
 
 NAME = 'dry-friction'
 TITLE = 'a driven mass with dry friction'
@@ -80,7 +80,7 @@ MEMORY = ()
 DEMANDS = (('the mass slides backward',), ('the load stays within the static limit', 'the load stays within the static limit'))
 SWITCH_DEMANDS = ((), ())
 
-#: What must not be negative of the parameters.
+#: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)
 
 
@@ -94,7 +94,7 @@ def scales(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 def requires(m, c, k, F_N, mu_s, mu_k, F, Omega):
-    """Return what must not be negative of the parameters."""
+    """Return the expressions in the parameters that must not be negative."""
     return (
         -mu_k + mu_s,
     )
