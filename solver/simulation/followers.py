@@ -1,4 +1,4 @@
-"""Which phases may follow others, and whether those of an orbit do."""
+"""Which phases may follow others, and whether the phases of an orbit follow each other."""
 
 from typing import TYPE_CHECKING
 
@@ -21,19 +21,19 @@ from .steps.state import AnyState, State
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
 
-#: What is rounding of what is left of a form, as a part of its factors.
+#: Rounding of the remainder of a form in `_constant`, relative to its coefficients.
 ROUNDING = 1e-10
 
-#: Derivatives of a demand that are looked at behind a switch.
+#: Number of derivatives of a demand that are checked behind a switch, from order 0.
 HIGHEST = 4
 
 
 def may_follow(machine: Machine, one: Step, other: Step) -> bool:
     """Whether a phase of a machine may begin where another ends by its event.
 
-    Something must change there: the equation or the velocity.  And just behind the event each
-    demand, or its first derivative that does not vanish there for every state, must not be a
-    negative number.
+    Either the equation or the velocity must change there.  And of each demand, the first
+    derivative that does not vanish in every state just behind the event must not be a negative
+    constant.
     """
     before, after = machine.node(one), machine.node(other)
     if not before.changes_velocity and _numbers(before) == _numbers(after):
@@ -58,19 +58,19 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
 
 
 def _row(there: InState, form: Form) -> Vector:
-    """Return a linear form by the entries of a state; of a memory it has a factor or none."""
+    """Return a form in the coordinates of the state; it may lack those of the memory."""
     return np.asarray(np.array(form) @ there.rows[: len(form)], dtype=float)
 
 
 def _of_velocity(there: InState, speed: float) -> Vector:
-    """Return the form that vanishes where the velocity has a value."""
+    """Return the form that vanishes where the velocity is `speed`."""
     row = there.rows[1].copy()
     row[there.one] -= speed
     return np.asarray(row, dtype=float)
 
 
 def _known(node: Node, there: InState) -> Matrix:
-    """Return the forms that vanish behind the event of a phase."""
+    """Return the forms that vanish in every state just behind the event of a phase."""
     phase, rows = node.phase, []
     jumps = node.changes_velocity
     if not (jumps and phase.event[1]):
@@ -82,7 +82,7 @@ def _known(node: Node, there: InState) -> Matrix:
 
 
 def _constant(row: Vector, known: Matrix, one: int) -> float | None:
-    """Return what known forms leave of a form: a number, or None if it depends on the state."""
+    """Return the value of a form where known forms vanish; None if it depends on the state."""
     moving = [i for i in range(len(row)) if i != one]
     sizes = np.abs(known).max(axis=1, keepdims=True)
     scaled = known / np.where(sizes > 0, sizes, 1.0)
@@ -95,10 +95,10 @@ def _constant(row: Vector, known: Matrix, one: int) -> float | None:
 
 
 def not_followed(orbit: "Motion") -> tuple[str, ...]:
-    """Return where another phase than that of its order follows in an orbit, in words.
+    """Return in words where a phase of an orbit is followed by another than its order says.
 
-    What the phases of a declared order demand says that already; of another order, the rules
-    of a simulation do.
+    Empty for the declared order of a scene, whose demands check this.  Any other order is
+    checked by the rules of a simulation.
     """
     scene = orbit.case.scene
     if not isinstance(scene, OrderedScene):

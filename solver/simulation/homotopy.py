@@ -1,11 +1,11 @@
-"""Times of a body with contacts from its linear response, by homotopy in the contact forces.
+"""Rough times of a body with contacts, by homotopy from its linear response.
 
-Of the laws, ``F force + rest = 0``, the rest is multiplied by a part from 0 to 1.  At 0 the
-body moves in its linear response, which crosses the events of the phases in closed form.  From
-there the part goes up in steps: a secant, and Newton's method on the exact equations.
+In the contact laws ``F force + rest = 0`` the rest is multiplied by a part from 0 to 1.  At 0
+no contact force acts: the body moves in its linear response, whose crossings of the events are
+known in closed form.  From there the part grows in steps, with a secant predictor and
+Newton's method on the exact equations as corrector.
 
-There are no such times where something else than the forces is beside that response: impacts, a
-memory, a contact that is held.
+This needs laws of forces alone: no impacts, no memory, no held contact.
 """
 
 import math
@@ -24,25 +24,25 @@ from ..kernels.start import RoughTimes
 from ..scenes.bodies.cell import BodyCell, BodyPhase
 from ..scenes.cell import Form
 
-#: What is said of such times.
+#: Words for the source of these times.
 WORDS = "the linear response, by homotopy"
 
-#: The part is this power of what goes up in steps: little is much, where a contact is stiff.
+#: The part is this power of the homotopy parameter: stiff contacts need small parts first.
 POWER = 3
 
-#: The first step, the least, and how many are tried.
+#: First step of the homotopy parameter, least step, and most steps that are tried.
 FIRST, LEAST, MOST = 1 / 8, 1 / 2048, 60
 
-#: Iterations of a step, at most, and up to how many it is easy; and by what part of a cell
-#: durations may differ from those of the secant.
+#: Most Newton iterations of a step; those up to which the next step is doubled; and largest
+#: correction of the predicted durations, relative to the cell.
 ITERATIONS, EASY, ASIDE = 8, 4, 0.1
 
-#: What is rounding of an angle, and of a form as a part of its size.
+#: Rounding of an angle, and of a form relative to its size.
 ROUNDING = 1e-9
 
 
 def from_linear_response(cell: BodyCell) -> RoughTimes | None:
-    """Return times of a cell to which its linear response leads; None if it leads to none."""
+    """Return times of a cell by homotopy from its linear response; None if it fails."""
     times = next(_crossings(cell), None) if _shrinks(cell) else None
     if times is None:
         return None
@@ -63,7 +63,7 @@ def from_linear_response(cell: BodyCell) -> RoughTimes | None:
 
 
 def under_part(cell: BodyCell, part: float) -> BodyCell:
-    """Return a cell of whose laws all but the forces is multiplied by a part."""
+    """Return a cell in whose laws all terms but the contact forces are multiplied by a part."""
     force = _force(cell)
 
     def weaker(law: Form) -> Form:
@@ -74,12 +74,12 @@ def under_part(cell: BodyCell, part: float) -> BodyCell:
 
 
 def _force(cell: BodyCell) -> list[int]:
-    """Return where the contact forces are in a form."""
+    """Return the indices of the contact forces in a form."""
     return places(cell.body.at.shape[1])[2]
 
 
 def _shrinks(cell: BodyCell) -> bool:
-    """Whether all that is beside the linear response vanishes with the part."""
+    """Whether the motion tends to the linear response as the part tends to 0."""
     force = _force(cell)
     return (cell.forced and cell.cycles == 1 and not cell.memory) and all(
         not phase.held
@@ -90,7 +90,7 @@ def _shrinks(cell: BodyCell) -> bool:
 
 
 def _newton(cell: BodyCell, guess: Vector) -> tuple[Vector | None, bool]:
-    """Return the times next to a guess, if there are some, and whether they are easy."""
+    """Return the times near a guess, or None, and whether few iterations sufficed."""
     if guess[:-1].min() <= 0:
         return None, False
     kernel = exact_kernel(cell)
@@ -108,7 +108,7 @@ def _newton(cell: BodyCell, guess: Vector) -> tuple[Vector | None, bool]:
 def _crossings(cell: BodyCell) -> Iterator[Vector]:
     """Yield times at which the linear response crosses the events, in their order.
 
-    In the middle of each phase it keeps what is demanded there.
+    In the middle of each phase the response meets its demands.
     """
     own, total = free(cell.body, cell.omega, 0), cell.omega * cell.duration
     along = 1j * cell.omega * np.eye(len(own.A)) - own.A
@@ -136,7 +136,7 @@ def _crossings(cell: BodyCell) -> Iterator[Vector]:
 
 
 def _keeps(phase: BodyPhase, seen: Complex, angle: float, force: list[int]) -> bool:
-    """Whether the linear response keeps the demands of a phase, at an angle of the forcing."""
+    """Whether the linear response meets the demands of a phase at an angle of the forcing."""
     forms = [_at_no_part(phase, form, force) @ seen for _, form in phase.demands]
     turn = np.exp(1j * angle)
     return all(
@@ -146,7 +146,7 @@ def _keeps(phase: BodyPhase, seen: Complex, angle: float, force: list[int]) -> b
 
 
 def _at_no_part(phase: BodyPhase, form: Form, force: list[int]) -> Vector:
-    """Return what is left of a form as the part goes to 0: of forces, what they are."""
+    """Return the leading term of a form as the part tends to 0; forces by their laws."""
     laws, row = np.array(phase.laws), np.array(form)
     rest, others = laws.copy(), row.copy()
     rest[:, force] = others[force] = 0

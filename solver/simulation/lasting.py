@@ -1,8 +1,8 @@
-"""A phase that is shown to last for ever, by the energy of its transient.
+"""Proof that a phase lasts for ever, by the energy of its transient.
 
 The difference h of a motion from the steady response to the forcing obeys the equation of the
-phase without any force, so that ``m h'^2 + k h^2`` does not grow.  Nothing is sampled: what the
-phase demands is held against the least value that response and transient leave.
+phase without force, so ``m h'^2 + k h^2`` does not grow.  Nothing is sampled: each demand of
+the phase is checked at a lower bound, from the response and the bound of the transient.
 """
 
 import cmath
@@ -10,16 +10,16 @@ import math
 
 from ..scenes.cell import Form, Phase
 
-#: Rounding, as a part of the size of the terms of a form: what is below zero by that only
-#: touches it, and is not an event.
+#: Rounding of a form, relative to the size of its terms: a form below zero by no more only
+#: touches zero, which is no event.
 ROUNDING = 2e-15
 
 
 def lasts(phase: Phase, x: float, v: float, omega: float, angle: float) -> bool:
-    """Return whether it is shown that a phase lasts for ever from a state on.
+    """Return whether a phase is proven to last for ever from a state on.
 
-    The phase has numbers for the memory, and the forcing is ``cos(omega s + angle)``, `s` from
-    that state; all without units.  False where it ends, and where that is not shown.
+    The memory of the phase is in numbers; the forcing is ``cos(omega s + angle)``, with s = 0
+    at the state; all without units.  False if the phase ends, or if the bounds do not decide.
     """
     steady = _steady(phase, x, v, omega, angle)
     if steady is None:
@@ -39,9 +39,9 @@ def lasts(phase: Phase, x: float, v: float, omega: float, angle: float) -> bool:
 def _steady(
     phase: Phase, x: float, v: float, omega: float, angle: float
 ) -> tuple[float, complex, float, float] | None:
-    """Return mean and wave of the steady response, and the most of the transient's h and h'.
+    """Return mean and complex amplitude of the steady response, and bounds of h and h'.
 
-    None where there is no such response, or the transient may grow.
+    None if there is no such response, or the transient may grow.
     """
     if phase.held:
         return None if phase.speed else (x, 0j, 0.0, 0.0)
@@ -54,12 +54,12 @@ def _steady(
     if k > 0:
         fast = math.hypot(math.sqrt(k / m) * h, rate)
         return mean, wave, math.sqrt(m / k) * fast, fast
-    far = m / c * rate  # what is left of the way: h' decays, and h with it
+    far = m / c * rate  # the way left: h' decays exponentially, h tends to h + far
     return h + far, wave, abs(far), abs(rate)
 
 
 def response(phase: Phase, omega: float) -> tuple[float, complex] | None:
-    """Return mean and wave of the steady response of a free phase; None if there is none."""
+    """Return mean and complex amplitude of the steady response; None if there is none."""
     m, c, k = phase.m, phase.c, phase.k
     stiffness = complex(k - m * omega**2, c * omega)
     if (phase.g and not stiffness) or (k == 0 and phase.f):
@@ -68,6 +68,6 @@ def response(phase: Phase, omega: float) -> tuple[float, complex] | None:
 
 
 def swing(form: Form, wave: complex, omega: float) -> float:
-    """Return by how much a form turns about its mean in a steady response."""
+    """Return the amplitude of a form about its mean in a steady response."""
     ex, ev, ec, _ = form
     return abs(ex * wave + ev * 1j * omega * wave + ec)

@@ -1,4 +1,4 @@
-"""The phases of a cell of one mass: its rules as arrays, followed plain or compiled."""
+"""The phases of a cell of one mass: rules as arrays, run by plain or compiled functions."""
 
 import math
 from collections.abc import Iterator
@@ -39,10 +39,10 @@ from .steps.rules import Rules, rules_of
 from .steps.state import AnyState, State
 from .steps.step import Passed
 
-#: How far from a limit a mass that is pressed against it is put, in units of length.
+#: Distance from a limit, in units of length, at which rest is tried beside it.
 ASIDE = 0.1
 
-#: What a motion is followed by, beside the flow of a phase.
+#: Modules whose functions follow a motion, beside those of the flow in a phase.
 PARTS = zeros, bounds, locate, chatter, clock, state, switches, step
 
 
@@ -53,16 +53,16 @@ def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
 
 
 def counting(make: linking.Make) -> linking.Make:
-    """Return what makes functions so that numba counts: some take lists."""
+    """Return a maker with numba's reference counting on: some functions take lists."""
     return lambda function, names, _: make(function, names, True)
 
 
-#: The functions, linked as plain Python or compiled; what plain ones cost is kept.
+#: The functions, linked as plain Python or compiled once plain ones have cost enough.
 FAMILY = Family(linked, (divided, responses, column, rules, *PARTS), step.step)
 
 
 def with_arrays(state: AnyState) -> AnyState:
-    """Return a state with arrays for what is several numbers, as functions compiled have it."""
+    """Return a state with arrays in place of sequences, as compiled functions take it."""
     found = (np.array(part, dtype=float) if np.ndim(part) else part for part in state)
     return type(state)(*found)
 
@@ -81,7 +81,7 @@ class Machine:
 
     @cached_property
     def rules(self) -> Rules:
-        """The same as arrays."""
+        """The nodes and their switching surfaces as arrays."""
         return rules_of(self.cell, self.nodes)
 
     @property
@@ -90,23 +90,23 @@ class Machine:
         return self.family.plain(run.__name__)
 
     def by(self, name: str, *arguments: Any) -> Any:
-        """Return what a function makes of the rules and of some arguments."""
+        """Call a plain function by its name, with the rules and further arguments."""
         return self.functions[name](self.rules, *arguments)
 
     def number(self, one: Step) -> int:
-        """Return the number of a phase as an order calls it."""
+        """Return the number of a phase, given as a step of an order."""
         return one.phase + len(self.cell.phases) * one.mirrored
 
     def node(self, one: Step) -> Node:
-        """Return a phase as an order calls it."""
+        """Return the node of a phase, given as a step of an order."""
         return self.nodes[self.number(one)]
 
     def window(self, p: int) -> float:
-        """Return a time in which a motion in a phase does not turn often; may be infinite."""
+        """Return a time of less than one oscillation in a phase; it may be infinite."""
         return window(self.nodes[p].phase, self.cell.omega)
 
     def ending(self, p: int, surface: int) -> Step | None:
-        """Return the phase whose event ends a phase on a surface; None without one."""
+        """Return the phase whose event ends phase p on a surface; None if there is none."""
         found = NONE if surface == NONE else self.rules.endings[p, surface]
         return None if found == NONE else self.nodes[found].step
 
@@ -115,29 +115,29 @@ class Machine:
         return bool(self.by("has_rest", surface))
 
     def begin(self, state: AnyState) -> tuple[int, AnyState] | None:
-        """Return the phase in which a motion from a state begins, and the state in it."""
+        """Return the first phase of a motion from a state, and its start; None if none."""
         p = self.by("first_phase", state)
         return None if p == NONE else (p, self.by("begun", p, state))
 
     def first(self, state: AnyState) -> Node | None:
-        """Return the phase in which a motion from a state begins; None if it is in none."""
+        """Return the phase in which a motion from a state begins; None if none admits it."""
         found = self.begin(state)
         return None if found is None else self.nodes[found[0]]
 
     def step(self, p: int, state: AnyState, clock: Clock, most: float) -> Passed:
-        """Follow a phase from where it begins, for a time at most, and across its switch."""
+        """Follow a phase from its start, for a time `most` at most, and cross its switch."""
         given = self.rules, p, with_arrays(state), clock, most
         passed: Passed = self.family.call(run.__name__, "step", *given)
         return passed
 
     def strobed(self, start: AnyState, cycles: int) -> tuple[Matrix, Integers, int]:
-        """Return a motion at each whole turn of the forcing from a state on: see `run`."""
+        """Return a motion from a state at each whole turn of the forcing: see `run`."""
         given = self.rules, with_arrays(start), cycles
         states, phases, how = self.family.call(run.__name__, "run", *given)
         return states, phases, how
 
     def after(self, one: Step, end: AnyState) -> Node | None:
-        """Return the phase that follows where the event of one ends it in a state."""
+        """Return the phase that follows `one`, whose event ends it in the state `end`."""
         p = self.number(one)
         end = self.by("begun", p, end)
         behind = self.by("crossed", p, int(self.rules.kinds[p, ROW]), end)
@@ -145,7 +145,7 @@ class Machine:
         return None if found == NONE else self.nodes[found]
 
     def in_state(self, p: int) -> InState:
-        """Return what forms of a phase are in a state ``(x, x', 1, cos, sin, memory)``."""
+        """Return what forms act on, by the state ``(x, x', 1, cos, sin, memory)``."""
         more = len(self.cell.memory)
         rows = np.eye(4 + more, 5 + more, 1)
         rows[:3] = np.eye(5 + more)[[0, 1, 3]]
@@ -153,11 +153,11 @@ class Machine:
         return InState(rows, generator(self.cell, self.nodes[p].phase, 1), 2)
 
     def still(self, angle: float) -> AnyState:
-        """Return the state at rest where nothing is displaced."""
+        """Return the state at rest with zero displacement."""
         return State(0.0, 0.0, angle)
 
     def released(self, x: float, v: float, angle: float) -> AnyState:
-        """Return the state with a displacement and a velocity, and a memory that suits it."""
+        """Return the state with a displacement, a velocity and a suitable memory."""
         return self.remembered(State(x, v, angle))
 
     def at_rest(self, angle: float) -> AnyState | None:
@@ -165,7 +165,7 @@ class Machine:
         return next((state for state in self.resting(angle) if self.first(state)), None)
 
     def resting(self, angle: float) -> Iterator[AnyState]:
-        """Yield states at rest, or moving as a phase is held: at 0, at limits, beside them."""
+        """Yield states at 0 and at or near limits: at rest or at the speed of a held phase."""
         cosine = math.cos(angle)
         places = [0.0]
         for node in self.nodes:
@@ -179,16 +179,16 @@ class Machine:
                 yield self.released(place, speed, angle)
 
     def starts(self, angle: float) -> list[AnyState | None]:
-        """Return states from which motions settle: at rest, and in each held phase."""
+        """Return the states from which `settle` simulates: at rest, and in each held phase."""
         still, held = self.still(angle), (p for p, q in enumerate(self.nodes) if q.phase.held)
         begun = (self.by("begun", p, still) for p in held)
         return [self.at_rest(angle), *map(self.remembered, begun)]
 
     def remembered(self, state: AnyState) -> AnyState:
-        """Return a state of which nothing is remembered with what suits it best.
+        """Return a state with a suitable memory, where none is known.
 
-        The middle of what the demands of a phase leave to it; where they leave it free, what
-        the beginning of the phase sets.
+        Each value is the middle of the interval that the demands of a phase admit; where this
+        is unbounded, the value that the start of the phase sets.
         """
         more = len(self.cell.memory)
         if not more:
@@ -203,7 +203,7 @@ class Machine:
         return state
 
     def _in_the_middle(self, p: int, state: AnyState, i: int) -> AnyState:
-        """Return a state with one memory in the middle of what the demands of a phase leave."""
+        """Return a state with memory i in the middle of its admissible interval in a phase."""
         kinds, values = self.rules.kinds[p], list(map(float, state.memory))
         rows = self.rules.forms[kinds[ROW] + 1 : kinds[AT_SWITCH]]
         numbers, place = state.full, i - len(values)
@@ -217,7 +217,7 @@ class Machine:
         return state._replace(memory=tuple(values))
 
     def unmet(self, state: AnyState) -> str:
-        """Return in words why no phase takes a state."""
+        """Return in words why no phase admits a state."""
         found = []
         for p, q in enumerate(self.nodes):
             at, first = self.by("local_of", p, state), int(self.rules.kinds[p, ROW]) + 1
@@ -230,7 +230,7 @@ class Machine:
         return "; ".join(dict.fromkeys(found))
 
     def recorded(self, p: int, state: AnyState, t: Fraction, s: float, surface: int) -> Segment:
-        """Return a phase that was followed as it is kept."""
+        """Return a phase that was followed as a segment of the record."""
         node, memory = self.nodes[p], [float(value) for value in state.memory]
         place = (node.index, node.mirrored, t, state.angle)
         ended = self.ending(p, surface)

@@ -1,4 +1,4 @@
-"""The machine of any cell: of one mass, or of a body; both are followed in the same way."""
+"""The machine of any cell, of one mass or of a body; both have the same interface."""
 
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell

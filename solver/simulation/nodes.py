@@ -1,9 +1,9 @@
-"""The phases that a motion can be in, and the surfaces of states that end them.
+"""The phases that a motion can be in, and the switching surfaces that end them.
 
 The phases of a scene are those of its cell and, where the other half of its period is the
-mirror image of the cell, their mirror images.  A surface is where a linear form of the state
-vanishes.  Which forms vanish on the same one is decided once, from their factors: near two
-surfaces, no number of a state tells them apart.
+mirror image of the cell, their mirror images.  A surface is the set of states where a linear
+form vanishes.  Which forms share a surface is decided once, from their coefficients: near two
+surfaces, the numbers of a state cannot tell them apart.
 """
 
 from collections.abc import Sequence
@@ -20,9 +20,9 @@ from .steps.column import NONE
 
 @dataclass(frozen=True)
 class Node:
-    """One phase that a motion can be in: of the cell, by its index, or the mirror image of one.
+    """One phase that a motion can be in: the phase `index` of the cell, or its mirror image.
 
-    `event` and `demands` are numbers of surfaces: of its event, and of its demands.
+    `event` and `demands` are the numbers of the surfaces of its event and of its demands.
     """
 
     phase: Phase
@@ -33,29 +33,29 @@ class Node:
 
     @property
     def step(self) -> Step:
-        """What an order of phases calls it."""
+        """The phase as a step of an order of phases."""
         return Step(self.index, self.mirrored)
 
     @property
     def equation(self) -> tuple[object, ...]:
-        """What its equation of motion is made of."""
+        """The coefficients of its equation of motion, to compare."""
         return self.phase.equation
 
     @property
     def jumps(self) -> bool:
-        """Whether it ends at a place where the velocity jumps."""
+        """Whether the velocity jumps at its event, whose form does not depend on it."""
         return self.phase.event[1] == 0 and self.changes_velocity
 
     @property
     def changes_velocity(self) -> bool:
-        """Whether the velocity jumps where its event ends it."""
+        """Whether the velocity jumps at its event."""
         q = self.phase
         jumps = q.jumps if isinstance(q, BodyPhase) else ((q.rho, q.d),)
         return any(jump != (1.0, 0.0) for jump in jumps)
 
 
 def nodes(cell: Cell) -> tuple[Node, ...]:
-    """Return the phases that a motion of a cell can be in, each before the one that follows."""
+    """Return the phases that a motion of a cell can be in, in cyclic order."""
     found = [(cell.carrying(p), p, False) for p in range(len(cell.phases))]
     if cell.sign < 0:
         found += [(mirror(phase), p, True) for phase, p, _ in found]
@@ -78,9 +78,10 @@ def nodes(cell: Cell) -> tuple[Node, ...]:
 
 
 class InState(NamedTuple):
-    """What linear forms are of in a phase, by the entries of a state with the forcing and 1.
+    """The quantities on which forms act, as linear functions of an augmented state of a phase.
 
-    Of the rows, one an entry of a form, the second is the velocity; the entry `one` is 1.
+    The state has the forcing and 1 among its entries, 1 at the index `one`, and its derivative
+    is `generator` times it.  Each row gives one quantity; the second is the velocity.
     """
 
     rows: Matrix
@@ -95,9 +96,9 @@ def ending(nodes: Sequence[Node], p: int, surface: int) -> int:
 
 
 def turns(nodes: Sequence[Node]) -> list[list[int]]:
-    """Return in which turn phases are tried where one is declared, or at last none.
+    """Return in which turn successors are tried, for each declared phase, then for none.
 
-    Constraints hold while they can.
+    Held phases with demands come first: constraints hold while they can.
     """
     phases = range(len(nodes))
     first = [p for p in phases if nodes[p].phase.held and nodes[p].phase.demands]
@@ -106,7 +107,7 @@ def turns(nodes: Sequence[Node]) -> list[list[int]]:
 
 
 def walls(nodes: Sequence[Node]) -> list[int]:
-    """Return behind the jump of which phase each is a rest at a place; `NONE` of others."""
+    """Return, for each rest at a place, the phase whose jump it follows; else `NONE`."""
     phases = range(len(nodes))
     behind = [nodes[p].phase.held and nodes[p - 1].jumps for p in phases]
     return [

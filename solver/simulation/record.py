@@ -20,10 +20,10 @@ from ..scenes.orders import Step
 from .lasting import lasts
 from .steps.bounds import window
 
-#: The number of the force among the quantities of a motion, behind three derivatives.
+#: Index of the force among the quantities of a motion, after x and its two derivatives.
 FORCE = 3
 
-#: How far beyond an end of a motion a time may be that is rounded, as a part of its duration.
+#: Rounding by which a time may lie outside of a motion, relative to its duration.
 ROUNDING = 16 * float(np.finfo(float).eps)
 
 
@@ -34,15 +34,17 @@ class Segment:
     Parameters
     ----------
     phase : Phase
-        In the coordinates of the motion.
+        With its memory in numbers; a mirrored phase is the mirror image already.
     t : Fraction
-        When it starts: the exact sum of the durations before, behind any number of phases.
+        The start: the exact sum of the durations of all phases before.
     angle : float
-        The angle of the forcing there, rounded once from the angle at the start and `t`.
+        The angle of the forcing at the start, rounded only once.
     x, v : float
-        The state in which it starts, after the switch.
+        The state at the start, after the switch.
+    s : float
+        The duration.
     step : Step or None
-        What an order of phases calls it: the phase whose event ends it, or None if none does.
+        The phase whose event ends it, as a step of an order of phases; None if none does.
     """
 
     phase: Phase
@@ -57,17 +59,17 @@ class Segment:
 
     @property
     def state(self) -> tuple[float, ...]:
-        """The state in which it starts, as two are compared."""
+        """The state at the start, to compare with that of another segment."""
         return self.x, self.v
 
     @property
     def began(self) -> Step:
-        """What an order of phases calls the phase in which it starts."""
+        """The phase in which it starts, as a step of an order of phases."""
         return Step(self.index, self.mirrored)
 
     @property
     def named(self) -> Step:
-        """What an order of phases calls it: by the event that ended it, if one did."""
+        """The step of an order of phases: by the event that ended it, if one did."""
         return self.step or self.began
 
     def motion(self, s: Vector, omega: float, derivative: int) -> Vector:
@@ -80,11 +82,11 @@ class Segment:
         raise ValueError("force: the motion is that of one mass, expected one of a body")
 
     def wave(self, omega: float) -> float:
-        """Return the length of the shortest wave of the motion; it may be infinite."""
+        """Return the shortest period in the motion; it may be infinite."""
         return math.pi * window(self.phase, omega)
 
     def lasts(self, omega: float) -> bool:
-        """Return whether it is shown that the phase lasts for ever."""
+        """Return whether the phase is proven to last for ever; see `lasting`."""
         x, v = flow.state_at(self.phase, self.x, self.v, self.angle, omega, self.s)
         return lasts(self.phase, x, v, omega, self.angle + omega * self.s)
 
@@ -96,13 +98,13 @@ class SimulatedPhase:
     Parameters
     ----------
     name, mirrored : str, bool
-        Which of the scene's phases, and whether it is the mirror image of that.
+        Name of the phase in the scene, and whether this is its mirror image.
     start, duration : float
         In s.
     displacement, velocity : float
-        Where it starts, in m and m/s, after the switch.
+        At the start, in m and m/s, after the switch.
     forcing_phase : float or None
-        Phase of the forcing where it starts, in rad, to its own rounding however late that is;
+        Phase of the forcing at the start, in rad, to its own rounding however late that is;
         None where nothing forces.
     """
 
@@ -126,7 +128,7 @@ class Simulation(Tabular):
     segments : tuple of Segment
         Its phases without units.
     ended : str
-        Why it ended before the time that was asked for; empty if it did not.
+        Why it ended before the time asked for; empty if it did not.
     """
 
     case: Case
@@ -147,7 +149,7 @@ class Simulation(Tabular):
 
     @property
     def time(self) -> float:
-        """How long the motion is, in s."""
+        """Duration of the motion, in s."""
         last = self.segments[-1]
         return float(last.t + Fraction(last.s)) * self.case.units.time
 
@@ -162,7 +164,7 @@ class Simulation(Tabular):
         Parameters
         ----------
         t : array_like of float, any shape
-            Times in s, from 0 to `time`; what rounding adds at either end counts as the end.
+            Times in s, from 0 to `time`; beyond either end by rounding counts as the end.
 
         Raises
         ------
@@ -182,23 +184,23 @@ class Simulation(Tabular):
     def force(self, t: npt.ArrayLike) -> Vector:
         """Return the force of the first contact of a body in N at times `t`.
 
-        At a switch it is that after it; impulses are no forces.
+        At a switch, that after it; impulses do not count as forces.
 
         Raises
         ------
         ValueError
-            If a time is outside of the motion, or it is that of one mass.
+            If a time is outside of the motion, or the motion is that of one mass.
         """
         return self._at(t, FORCE)
 
     @property
     def quantities(self) -> tuple[str, ...]:
-        """What there is of it at any time."""
+        """Names of the quantities that the motion has at any time."""
         found = ("displacement", "velocity", "acceleration")
         return (*found, "force") if self.case.scene.has_body else found
 
     def _of(self, q: Segment, s: Vector, number: int) -> Vector:
-        """Return one of its `quantities` on a phase at local times, in SI units."""
+        """Return one of the `quantities` in a phase at local times, in SI units."""
         units = self.case.units
         if number == FORCE:
             return q.force(s) * (units.mass * units.of_motion(2))
@@ -225,8 +227,8 @@ class Simulation(Tabular):
         Parameters
         ----------
         points : float
-            About how many for each wave of the motion.  The start and the end of a phase are
-            always among them: the values at an end are those before the switch.
+            About how many for each shortest period of the motion.  The start and the end of a
+            phase are always among them; the values at an end are those before the switch.
         """
         cell, unit, found = self.case.cell, self.case.units.time, []
         for q in self.segments:
@@ -267,9 +269,9 @@ class Simulation(Tabular):
         ax : matplotlib Axes, optional
             Axes to draw in; new ones by default.
         quantity : {"displacement", "velocity", "acceleration", "force", "plane"}
-            What is drawn against time, the force of a body alone; or the phase plane.
+            What is drawn against time (the force: only of a body); or the phase plane.
         since : float
-            From which time on, in s.
+            First time that is drawn, in s.
         **style
             Of the line, as `matplotlib.axes.Axes.plot` takes it.
 
@@ -285,7 +287,7 @@ class Simulation(Tabular):
         return draw(self, ax, quantity, since=since, **style)
 
     def table(self) -> Table:
-        """Return the motion, each phase from its start to its end, and the phase's number.
+        """Return the motion sampled in each phase from start to end, with the phase's number.
 
         At a switch there are two rows: before it, and after it.
         """

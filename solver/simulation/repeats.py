@@ -1,7 +1,7 @@
 """The phases that a motion repeats at its end.
 
-A motion has settled if its last phases are two successive repeats of those before, to what is
-left of a transient that is `NEAR`.
+A motion has settled if its last phases repeat those before twice in succession, with a
+remaining transient below `NEAR`.
 """
 
 import math
@@ -16,14 +16,14 @@ from .machines import machine_of
 from .record import Segment
 from .simulate import cycle
 
-#: How many cycles a settled motion may take to repeat.
+#: Most cycles in the period of a settled motion.
 MOST = 8
 
-#: How far from its limit a settled motion may be, in units of time and length, and as a part of
-#: its size; and what is rounding there.
+#: Largest distance of a settled motion from its limit, in units of time and length and relative
+#: to its size; and rounding of a state.
 NEAR, ROUNDING = 1e-3, 1e-10
 
-#: What is rounding of a duration, in units of time: of two events that meet, its square root.
+#: Rounding of a duration, in units of time: a square root of it where two events meet.
 NO_TIME = 1e-7
 
 
@@ -37,9 +37,9 @@ def slowest_decay(cell: Cell) -> float:
 
 
 def whole(machine: Machine, repeated: tuple[Segment, ...]) -> tuple[Segment, ...]:
-    """Return the phases that a motion repeats, each that goes on behind its event as one.
+    """Return repeated phases, joined where nothing changes at the event between two.
 
-    None where nothing ever changes.
+    Empty if nothing ever changes.
     """
     pairs = zip((repeated[-1], *repeated[:-1]), repeated, strict=True)
     begins = [i for i, (one, two) in enumerate(pairs) if not _goes_on(machine, one, two)]
@@ -69,9 +69,9 @@ def repeated(
 ) -> tuple[Segment, ...] | None:
     """Return the phases that a motion repeats at its end, twice; None if there are none.
 
-    What is left of a transient that decays no slower than those of the phases is the change
-    from one repeat to the next over what decays in that time.  Where phases may differ by as
-    much as is `rough`, that is not asked.
+    A transient whose slowest decay rate is r leaves, after a repeat of duration T that changes
+    the phases by d, at most ``d / (1 - exp(-r T))``: this must be below `NEAR`.  If `rough` is
+    not 0, d must be below `rough` instead.
     """
     *done, cut = segments
     for length in range(1, len(done) // 3 + 1):
@@ -94,7 +94,7 @@ def repeated(
 
 
 def _same(one: Segment, two: Segment, near: float, size: float) -> bool:
-    """Whether two phases are the same, in times and states."""
+    """Whether two segments agree in phase, duration and state, this relative to `size`."""
     off = max(abs(a - b) for a, b in zip(one.state, two.state, strict=True))
     return (
         one.named == two.named

@@ -1,10 +1,10 @@
-"""The periodic motion that a simulation comes to, as times from which Newton's method starts.
+"""Rough times for Newton's method from the periodic motion to which a simulation converges.
 
-What Newton's method misses from rough times, a long simulation may find: the order of the
-phases, their durations and the phase of the forcing.  It comes to stable orbits only.  It goes
-on while the damping lets transients last, up to a number of phases.  Where it settles on an
-order of phases that the scene does not declare, that is said in words; that there are no more
-switches is said if it is shown.
+Where Newton's method fails from other rough times, a long simulation may find the order of the
+phases, their durations and the phase of the forcing.  It finds stable orbits only.  It runs as
+long as transients last by the damping, up to a number of phases.  If it settles on an order of
+phases that the scene does not declare, words say so; that no switch follows any more is said
+only if it is proven.
 """
 
 import math
@@ -26,36 +26,36 @@ from .simulate import cycle
 from .steps.state import AnyState
 from .walk import Place, effort, walk
 
-#: Cycles that are simulated at first, and by which factor more each time that was too short.
+#: Cycles that are simulated at first, and the factor by which they grow until they suffice.
 CYCLES, LONGER = 100, 1.5
 
-#: A transient is followed for so many of the times in which it decays by a factor e.
+#: Number of time constants (decay by a factor e) for which a transient is followed.
 DECAYS = 10
 
-#: Phases that are simulated from all starts, at most; long ones count as several: some 3 s.
+#: Most phases simulated from all starts together; long ones count as several.  About 3 s.
 PHASES = 4000
 
-#: As many, where a simulation only says what there is instead of an orbit.
+#: The same, where a simulation only tells what there is instead of an orbit.
 FEW = 500
 
-#: Phases of the forcing from which motions start at rest, where those from 0 come to nothing:
-#: all around, each far from those before.
+#: Phases of the forcing at which motions start at rest, where those from 0 are inconclusive:
+#: spread over a period, each far from those before.
 ANGLES = tuple(2.4 * j % (2 * math.pi) for j in range(1, 6))
 
-#: By how much the last phases of a motion that has not settled may differ, that Newton's method
-#: is to start from them.
+#: Largest difference of the repeated phases of an unsettled motion from which Newton's method
+#: may start.
 ROUGH = 0.03
 
-#: What is said of a motion that nothing changes any more.
+#: Words for a motion without any further switch.
 WITHOUT_SWITCHES = "a simulation comes to a motion without switches"
 
 
 @dataclass(frozen=True)
 class Settled:
-    """What a simulation came to, in words; with times of a cell of the declared order, if any.
+    """The outcome of a simulation: in words, and as times of a cell of the declared order.
 
-    `other` is another order on which it settled; `conclusive` whether it came to anything: a
-    periodic motion, or one without switches.
+    `times` is None if it did not settle on that order; `other` is another order on which it
+    settled.  It is `conclusive` if it became periodic, or has no more switches.
     """
 
     times: RoughTimes | None
@@ -68,7 +68,7 @@ class Settled:
 class Other:
     """An order of phases that is not the declared one, with times of a cell.
 
-    Its motion takes so many `cycles` of the forcing.
+    The period of its motion is `cycles` periods of the forcing.
     """
 
     order: Order
@@ -76,10 +76,10 @@ class Other:
     cycles: int
 
     def within(self, cycles: int) -> "Other | None":
-        """Return the same phases as those of so many cycles, if they are these some times over.
+        """Return the order of `cycles` cycles that the phases repeat; None if there is none.
 
-        What comes to an orbit from both sides in turn is first seen to repeat itself after two
-        of its periods.
+        A motion that approaches an orbit from alternating sides is first seen to repeat after
+        two of its periods.
         """
         parts, left = divmod(self.cycles, cycles)
         if left or parts < 2:
@@ -94,9 +94,9 @@ class Other:
 
 
 def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Settled]:
-    """Yield what simulations of a case come to, from rest and from each constraint.
+    """Yield the outcomes of simulations of a case, from rest and from each constraint.
 
-    At most so many phases are simulated; see `PHASES`.
+    `phases` bounds the phases that are simulated; see `PHASES`.
 
     Examples
     --------
@@ -112,7 +112,7 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
 
 
 def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
-    """Return what a simulation came to, as it is seen from the order of a case."""
+    """Return the outcome of a simulation, with times for the order of phases of a case."""
     ordered = case.scene if isinstance(case.scene, OrderedScene) else None
     declared = declared_order(base)
     order = ordered.order if ordered else declared
@@ -124,10 +124,9 @@ def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
 
 
 def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
-    """Yield what simulations of a case come to: see `rough_times_by_simulation`.
+    """Yield the outcomes of simulations of a case: see `rough_times_by_simulation`.
 
-    Where they all end, or come to nothing, those from rest at other phases of the forcing
-    follow.
+    If none is conclusive, simulations from rest at other phases of the forcing follow.
     """
     nothing = True
     for settled in rough_times_by_simulation(case, phases):
@@ -142,7 +141,7 @@ def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
 def _followed_from(
     case: Case, machine: Machine, starts: Iterable[AnyState | None], phases: int
 ) -> Iterator[Settled]:
-    """Yield what simulations come to from each of several states that a phase takes."""
+    """Yield the outcome of a simulation from each admissible state among some."""
     possible = [q for q in dict.fromkeys(starts) if q is not None and machine.first(q)]
     for start in possible:
         yield _followed(case, start, phases // len(possible))
@@ -150,7 +149,7 @@ def _followed_from(
 
 @lru_cache(maxsize=16)
 def _followed(case: Case, start: AnyState, most: int) -> Settled:
-    """Return what the simulation from one state comes to; every method asks for the same."""
+    """Return the outcome of a simulation; cached, as all methods ask for the same."""
     machine, cell = machine_of(case.cell), case.cell
     place, cycles, spent = Place.first(machine, start), float(CYCLES), 0.0
     segments: list[Segment] = []
@@ -169,14 +168,14 @@ def _followed(case: Case, start: AnyState, most: int) -> Settled:
 
 
 def _lasting(cell: Cell) -> float:
-    """Return for how many cycles transients may last by the damping; `CYCLES` at least."""
+    """Return for how many cycles transients may last, by the damping; `CYCLES` at least."""
     return max(CYCLES, DECAYS / (slowest_decay(cell) * cycle(cell)))
 
 
 def settled(cell: Cell, motion: Simulation) -> Settled:
-    """Return what a motion of a cell came to, by its last phases.
+    """Return the outcome of a motion of a cell, from its last phases.
 
-    Of one that has not settled these are kept as well, where they almost repeat.
+    If it has not settled, but its last phases almost repeat, they give times as well.
     """
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}", conclusive=False)
@@ -194,7 +193,7 @@ def settled(cell: Cell, motion: Simulation) -> Settled:
 
 
 def _settled_on(cell: Cell, again: tuple[Segment, ...]) -> Settled:
-    """Return on what a motion settles that repeats some phases."""
+    """Return the outcome of a motion that repeats some phases."""
     phases = whole(machine_of(cell), again)
     if not phases:
         return Settled(None, WITHOUT_SWITCHES)
@@ -203,9 +202,9 @@ def _settled_on(cell: Cell, again: tuple[Segment, ...]) -> Settled:
 
 
 def _from_the_first(again: tuple[Segment, ...]) -> tuple[Segment, ...]:
-    """Return phases that repeat from the first of them on that the scene has.
+    """Return repeated phases, rotated to begin with the one that comes first in the scene.
 
-    It is not mirrored if one is as it is; of several it is the longest.
+    If this leaves a choice, with the longest of these.
     """
     turned = [again[i:] + again[:i] for i in range(len(again))]
     first = min([q.named for q in each] for each in turned)
@@ -214,7 +213,7 @@ def _from_the_first(again: tuple[Segment, ...]) -> tuple[Segment, ...]:
 
 
 def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
-    """Return the times of a cell of the declared order, if the phases that repeat are one."""
+    """Return the times of a cell if the repeated phases have the declared order, else None."""
     own = again[: len(cell.phases)]
     declared = tuple(q.named for q in own) == declared_order(cell).steps
     if len(again) != len(own) * cell.cells or not declared:
@@ -226,7 +225,7 @@ def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
 
 
 def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
-    """Return on which other order of phases a motion settles, and that in words."""
+    """Return the outcome of a motion that settles on another order of phases."""
     count = round(sum(q.s for q in again) / cycle(cell))
     called = [phase.name for phase in cell.phases]
     names = ", ".join(q.named.called(called) for q in again)
@@ -239,7 +238,7 @@ def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
 
 
 def _no_order(cell: Cell, own: tuple[Segment, ...]) -> str:
-    """Return in words why phases that repeat are no order of a scene; empty if they are one."""
+    """Return in words why repeated phases are no order of a scene; empty if they are one."""
     called = [phase.name for phase in cell.phases]
     for q in own:
         if q.step is None:
@@ -249,15 +248,15 @@ def _no_order(cell: Cell, own: tuple[Segment, ...]) -> str:
 
 
 def _in_order(cell: Cell, own: tuple[Segment, ...], cycles: int) -> Other:
-    """Return the phases that repeat as an order, and the times of its cell."""
+    """Return repeated phases as an order, with the times of its cell."""
     order, half = Order(tuple(q.named for q in own)), len(own) // 2
     if all(_alike(one.s, two.s) for one, two in zip(own[:half], own[half:], strict=False)):
-        order = half_if_mirrored(cell, order)  # the motion is, and not only its order
+        order = half_if_mirrored(cell, order)  # the motion, not only its order
     own = own[: len(order.steps)]
     times = RoughTimes(tuple(q.s for q in own), own[0].angle, "the times of a simulation")
     return Other(order, times, cycles)
 
 
 def _alike(one: float, two: float) -> bool:
-    """Whether two durations are the same as far as a motion has settled."""
+    """Whether two durations agree to the tolerance of a settled motion."""
     return abs(one - two) <= NEAR * max(one, two, 1.0)

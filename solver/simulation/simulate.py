@@ -29,7 +29,7 @@ def simulate(
     """Return the motion of an oscillator from a given state, from event to event.
 
     Each phase is integrated exactly, and no event can be stepped over: see `locate`.  The next
-    phase is the one whose demands hold.
+    phase is one whose demands hold just behind the switch.
 
     Parameters
     ----------
@@ -37,29 +37,29 @@ def simulate(
         The oscillator.
     state : (float, float), optional
         Displacement in m and velocity in m/s at the start.  Default: at rest at 0 or, if the
-        scene does not admit that, at or next to the nearest limit.  Of a body they are those
-        of its first contact, in the state nearest to rest; default: at rest at 0, or in the
+        scene does not admit that, at or next to the nearest limit.  For a body: those of its
+        first contact, in the state nearest to rest; default: at rest at 0, or in the
         equilibrium of a phase.
     cycles : float, optional
-        For how many periods of the forcing; without forcing, how many times 2 pi of the
+        Duration in periods of the forcing; without forcing, in multiples of 2 pi of the
         scene's unit of time.  Default 20.
     time : float, optional
-        For how long in s, in place of `cycles`.
+        Duration in s, in place of `cycles`.
     forcing_phase : float
         Phase of the forcing at the start, in rad.
 
     Returns
     -------
     Simulation
-        If it ends before its time, `ended` says why: chatter, or a state that is in no phase
-        of the scene.
+        If the motion ends early, `ended` says why: chatter, or a state that no phase of the
+        scene admits.
 
     Raises
     ------
     TypeError
         If `case` is not a `Case`.
     ValueError
-        If a number is out of range, or the state at the start is in no phase.
+        If a number is out of range, or no phase admits the state at the start.
 
     Examples
     --------
@@ -116,7 +116,7 @@ def _given(case: Case, state: Sequence[float]) -> tuple[float, float]:
 
 
 def _duration(case: Case, cycles: float | None, time: float | None) -> float:
-    """Return how long a motion is to be, without units."""
+    """Return the duration asked for, without units."""
     if cycles is not None and time is not None:
         raise ValueError(f"time: got {time!r} beside cycles, expected one of them")
     if time is not None:
@@ -136,7 +136,7 @@ def _duration(case: Case, cycles: float | None, time: float | None) -> float:
 
 
 def cycle(cell: Cell) -> float:
-    """Return the duration that is called a cycle, without units: a period of the forcing."""
+    """Return the duration of a cycle, without units: a period of the forcing, or 2 pi."""
     return 2 * math.pi / (cell.omega or 1.0)
 
 

@@ -1,4 +1,4 @@
-"""A motion as a list of its phases, from the beginning of one on."""
+"""A motion as a list of its phases, from the start of a given phase."""
 
 import math
 from dataclasses import dataclass
@@ -16,15 +16,15 @@ from .steps.run import MOST_PHASES
 from .steps.state import AnyState
 from .steps.step import CHATTERS, REFUSED
 
-#: Windows of a search for events that take about as long as what else a phase takes.
+#: Number of windows whose search for events costs about as much as the rest of a phase.
 STRETCH = 10
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where a phase of a machine begins: a `State` or a `BodyState`.
+    """The start of a phase: its number in a machine, and its `State` or `BodyState`.
 
-    The clock says the angle of the forcing; `t` is the exact sum of the durations before.
+    The clock gives the angle of the forcing; `t` is the exact sum of the durations before.
     """
 
     phase: int
@@ -34,7 +34,7 @@ class Place:
 
     @classmethod
     def first(cls, machine: Machine, state: AnyState) -> "Place":
-        """Return where the motion from a state begins that a phase takes."""
+        """Return where the motion from a state begins, which some phase must admit."""
         found = machine.begin(state)
         assert found is not None
         p, begun = found
@@ -42,30 +42,30 @@ class Place:
 
 
 def follow(case: Case, machine: Machine, start: AnyState, duration: float) -> Simulation:
-    """Return the motion of a case from a state that a phase takes, all without units."""
+    """Return the motion of a case from an admissible state, all without units."""
     segments, _, ended = walk(case, machine, Place.first(machine, start), duration)
     return Simulation(case, tuple(segments), ended)
 
 
 def effort(window: float, s: float) -> float:
-    """Return what it takes to follow a phase for a time: 1, and more for a long one."""
+    """Return the cost of following a phase for a time: 1, and more for a long one."""
     return 1 + s / (STRETCH * window)
 
 
 def _reach(window: float, most: float) -> float:
-    """Return for how long a phase is followed by an effort."""
+    """Return how long a phase can be followed at a cost of `most`; inverse of `effort`."""
     return max(most - 1, 0.0) * STRETCH * window if most < math.inf else most
 
 
 def walk(
     case: Case, machine: Machine, place: Place, until: float, most: float = math.inf
 ) -> tuple[list[Segment], Place, str]:
-    """Return the phases of a motion from the beginning of one on, the last one cut off.
+    """Return the phases of a motion from the start of a phase; the last one is cut off.
 
     Parameters
     ----------
     until : float
-        The time at which it ends, without units.
+        The time at which the motion ends, without units.
     most : float
         The `effort` after which it ends earlier.
 
@@ -73,9 +73,9 @@ def walk(
     -------
     segments : list of Segment
     place : Place
-        Where the last of them begins, to go on from.
+        Where the last of them begins; `walk` can go on from there.
     ended : str
-        Why the motion ends before, where it does.
+        Why the motion ends early; empty if it was cut off.
     """
     whole = Fraction(until)
     segments: list[Segment] = []
@@ -122,13 +122,13 @@ def _ended(segment: Segment, how: int) -> str:
 
 
 def _last(segments: list[Segment]) -> list[float]:
-    """Return the durations of the last phases; infinite ones before the first."""
+    """Return the durations of the last `CHATTER` phases, infinite where there are fewer."""
     last = [q.s for q in segments[-CHATTER:]]
     return [math.inf] * (CHATTER - len(last)) + last
 
 
 def _chatter(case: Case, last: Segment, s: float) -> str:
-    """Return in words where the switches accumulate: so long behind the last phase's start."""
+    """Return in words when the switches accumulate: a time `s` after the last phase begins."""
     return (
         f"chatter: {last.phase.name} ends ever sooner, the switches accumulate at "
         f"t = {float(last.t + Fraction(s)) * case.units.time:.9g} s, "

@@ -1,4 +1,4 @@
-"""The phases of a cell of a body: its rules as arrays, followed plain or compiled."""
+"""The phases of a cell of a body: rules as arrays, run by plain or compiled functions."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -31,12 +31,12 @@ from .regime import Regime, regimes
 from .state import BodyState
 from .step import watched
 
-#: What a motion is followed by, beside the flow of a phase: functions of bodies stand for those
-#: of one mass that have their names.
+#: Modules whose functions follow a motion: common ones, and those of bodies, whose functions
+#: replace those of one mass of the same names.
 PARTS = clock, chatter, common_state, switches, common_step
 OWN = modes, along, locate, state, step
 
-#: What is compiled with these as numbers alone.
+#: Modules of which only constants are compiled into these functions.
 NUMBERS = column, rules, phases, common_locate, flow
 
 
@@ -47,20 +47,20 @@ def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     return linking.made((*PARTS, motion, *OWN), given, counting(make))
 
 
-#: The functions, linked as plain Python or compiled; what plain ones cost is kept.
+#: The functions, linked as plain Python or compiled once plain ones have cost enough.
 FAMILY = Family(linked, (divided, *NUMBERS, *PARTS, *OWN), common_step.step, seconds=10.0)
 
 
 @dataclass(frozen=True)
 class BodyMachine(Machine):
-    """The phases of a cell of a body, and what follows a motion through them."""
+    """The phases of a cell of a body, and the rules by which one follows another."""
 
     cell: BodyCell
     family: ClassVar[Family] = FAMILY
 
     @cached_property
     def rules(self) -> Rules:
-        """The same as arrays."""
+        """The nodes and their switching surfaces as arrays."""
         return body_rules_of(self.cell, self.nodes, self.regimes)
 
     @cached_property
@@ -69,36 +69,36 @@ class BodyMachine(Machine):
         return regimes(self.cell, self.nodes)
 
     def window(self, p: int) -> float:
-        """Return a time in which a motion in a phase does not turn often."""
+        """Return a time of less than one oscillation in a phase; it may be infinite."""
         return self.regimes[p].window
 
     def still(self, angle: float) -> AnyState:
-        """Return the state at rest where nothing is displaced."""
+        """Return the state at rest with zero displacement."""
         return self._at(np.zeros(len(self.regimes[0].free.A)), angle)
 
     def released(self, x: float, v: float, angle: float) -> AnyState:
-        """Return the state nearest to rest with a place and a velocity of the first contact."""
+        """Return the state nearest to rest with given x and v of the first contact."""
         return self.remembered(self.put(self.still(angle), x, v))
 
     def put(self, state: BodyState, x: float, v: float) -> BodyState:
-        """Return the state nearest to one with a place and a velocity of the first contact."""
+        """Return the state nearest to a given one with given x and v of the first contact."""
         rows = self.regimes[0].contacts[:2, 0].copy()
         rows[:, self.regimes[0].states + 2] -= x, v
         found: BodyState = self.functions["on"](rows, state)
         return found
 
     def resting(self, angle: float) -> Iterator[AnyState]:
-        """Yield states at rest: at 0, and where a phase leaves the body in balance."""
+        """Yield states at rest: at 0, and the equilibria of the phases."""
         return iter([self.still(angle), *self._balanced(angle)])
 
     def starts(self, angle: float) -> list[AnyState | None]:
-        """Return states from which motions settle: at rest, held, and in balance."""
+        """Return the states from which `settle` simulates: at rest, held, and equilibria."""
         return [*super().starts(angle), *self._balanced(angle)]
 
     def _balanced(self, angle: float) -> Iterator[AnyState]:
-        """Yield the states in which each phase would leave the body without a forcing.
+        """Yield the equilibrium of each phase without forcing.
 
-        A phase that is held is where the one before it ends, if that is at one place.
+        A held phase is at the place where the one before it ends, if this is a fixed place.
         """
         for node, regime in zip(self.nodes, self.regimes, strict=True):
             own, place = regime.part.lawful, Cell.place(self.cell, node.index)
@@ -114,22 +114,22 @@ class BodyMachine(Machine):
         return self.remembered(BodyState(y, angle))
 
     def remembered(self, state: AnyState) -> AnyState:
-        """Return a state of which nothing is remembered with what suits it best.
+        """Return a state with a suitable memory, where none is known; see `Machine.remembered`.
 
-        As plain numbers, by which states are compared.
+        Its entries are plain numbers, so that states can be compared.
         """
         found = super().remembered(state)
         return found._replace(y=tuple(map(float, found.y)), memory=tuple(found.memory))
 
     def in_state(self, p: int) -> InState:
-        """Return what forms of a phase are in a state."""
+        """Return what forms act on, by the state Y of a phase."""
         regime = self.regimes[p]
         return InState(regime.part.lawful.rows, regime.generator, regime.states + 2)
 
     def recorded(
         self, p: int, state: BodyState, t: Fraction, s: float, surface: int
     ) -> BodySegment:
-        """Return a phase that was followed as it is kept."""
+        """Return a phase that was followed as a segment of the record."""
         node, regime, Y = self.nodes[p], self.regimes[p], state.full
         rows, signs, _ = watched(self.rules, p, state)
         x, v = (float(row @ Y) for row in regime.contacts[:2, 0])

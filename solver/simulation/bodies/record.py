@@ -11,7 +11,7 @@ from .along import Along, along_of, fastest, least
 from .phases import Phases, forms_of, laws_of, poles_of
 from .regime import Regime
 
-#: What of a displacement may be in waves that are not resolved where it is drawn.
+#: Relative amplitude of waves that a drawing need not resolve.
 UNSEEN = 1e-3
 
 
@@ -19,8 +19,8 @@ UNSEEN = 1e-3
 class BodySegment(Segment):
     """One phase of a simulated motion of a body; see `Segment`.
 
-    It starts in the state ``Y = (y, cos, sin, 1, memory)``; the forms in `watched`, shape
-    (F, W), may end it.
+    It starts in the state ``Y = (y, cos, sin, 1, memory)``; the forms in the rows of `watched`,
+    shape (F, W), may end it.
     """
 
     Y: Vector
@@ -29,7 +29,7 @@ class BodySegment(Segment):
 
     @property
     def state(self) -> tuple[float, ...]:
-        """What two states are compared by: those of the modes, and the memory."""
+        """The state at the start, to compare with another: y and the memory."""
         n = self.regime.states
         return (*self.Y[:n], *self.Y[n + 3 :])
 
@@ -45,19 +45,19 @@ class BodySegment(Segment):
         return self.seen(self.regime.contacts[2, 0], s)
 
     def seen(self, row: Vector, s: Vector) -> Vector:
-        """Return a form at local times."""
+        """Return the values of a form at local times."""
         n, flow, Y = self.regime.states, self.regime.part.flow, self.Y
         turned = (Y[n] + 1j * Y[n + 1]) * np.exp(1j * flow.omega * s)
         found = flow.seen(row[None, :n], Y[:n], Y[n:], s)[0] + row[n + 2 :] @ Y[n + 2 :]
         return np.asarray(found + row[n] * turned.real + row[n + 1] * turned.imag)
 
     def wave(self, omega: float) -> float:
-        """Return the length of the shortest wave of the displacement that is seen."""
+        """Return the shortest period in the displacement that a drawing resolves."""
         along = self._along(self.regime.contacts[0, :1])
         return 2 * np.pi / max(omega, 2.0 / self.regime.window, fastest(along, UNSEEN))
 
     def lasts(self, omega: float) -> bool:
-        """Return whether it is shown that the phase lasts for ever."""
+        """Return whether the phase is proven to last for ever."""
         along = self._along(self.watched)
         low = least(along, self.s, float(np.abs(self.Y).max()))
         return bool((low >= -ROUNDING * along.sizes).all())

@@ -1,4 +1,4 @@
-"""A body in one phase: its flow, and what it makes of ``Y = (y, cos, sin, 1, memory)``."""
+"""A body in one phase: its flow, and linear forms of ``Y = (y, cos, sin, 1, memory)``."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -13,13 +13,13 @@ from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ..nodes import Node
 from ..steps.locate import NOISE
 
-#: What a pole is, as a part of the fastest, that does not turn.
+#: Modulus of a pole, relative to the fastest, below which it counts as zero.
 STILL = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
 class Regime:
-    """A phase that a body can be in.
+    """A phase that a body can be in, in numbers.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ class Regime:
     generator : ndarray, shape (W, W)
         Of ``Y' = generator Y``.
     contacts : ndarray, shape (3, c, W)
-        Displacement, velocity and force of each contact.
+        Displacement, velocity and force of each contact, as forms of Y.
     """
 
     phase: BodyPhase
@@ -40,12 +40,12 @@ class Regime:
 
     @property
     def states(self) -> int:
-        """Entries of y."""
+        """Number of entries of y."""
         return len(self.part.lawful.A)
 
     @property
     def window(self) -> float:
-        """A time in which a motion does not turn often: of the forcing, or of a slow pole."""
+        """A time of less than one oscillation, of the forcing or else of the slowest pole."""
         poles = np.abs(self.part.flow.poles)
         slow = float(poles[poles > STILL * poles.max()].min(initial=np.inf))
         return 2.0 / (self.part.flow.omega or slow)
@@ -76,7 +76,7 @@ def _regime(phase: BodyPhase, part: Part, cell: BodyCell) -> Regime:
 
 
 def slowest_decay(cell: BodyCell) -> float:
-    """Return the least rate at which a transient of a phase decays; infinite if none does."""
+    """Return the least rate at which a transient of a phase decays; inf if none does."""
     found = np.concatenate([part.flow.poles for part in parts_of(cell)])
     rates = -found.real[-found.real > NOISE * np.abs(found)]
     return float(rates.min(initial=np.inf))

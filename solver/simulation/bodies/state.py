@@ -1,6 +1,6 @@
-"""States of a body, and what a switch makes of them.
+"""States of a body, and the map of a switch.
 
-The functions stand for those of the same names in `steps`: plain Python, or compiled by numba.
+The functions replace those of the same names in `steps`: plain Python, or compiled by numba.
 """
 
 from math import cos, sin, sqrt
@@ -17,14 +17,14 @@ from ..steps.state import NEAR, Values, sets
 from .along import sign_after
 from .modes import rounded, size_of, value_of
 
-#: What a form has of its own beside others, as a part of it: less is rounding.
+#: Relative size of the part of a form orthogonal to others below which it depends on them.
 NEW = 1e-10
 
 
 class BodyState(NamedTuple):
     """A state of a body, without units: y of the modes, the angle of the forcing, the memory.
 
-    The surface that it is known to be on, or `NONE`; see `bodies.laws` for y.
+    `surface` is the one on which it is known to be, or `NONE`; see `bodies.laws` for y.
     """
 
     y: Values
@@ -34,12 +34,12 @@ class BodyState(NamedTuple):
 
     @property
     def full(self) -> Vector:
-        """What forms are of: ``Y = (y, cos, sin, 1, memory)``."""
+        """The vector on which forms act: ``Y = (y, cos, sin, 1, memory)``."""
         return full_of(self)
 
 
 def full_of(state: BodyState) -> Vector:
-    """Return what forms are of in a state."""
+    """Return the vector ``Y = (y, cos, sin, 1, memory)`` of a state."""
     n, more = len(state.y), len(state.memory)
     found = np.ones(n + 3 + more)
     for i in range(n):
@@ -51,7 +51,7 @@ def full_of(state: BodyState) -> Vector:
 
 
 def local_of(rules: Rules, p: int, state: BodyState) -> Vector:
-    """Return what forms are of where a phase begins."""
+    """Return the vector Y of a state in which a phase begins."""
     return full_of(begun(rules, p, state))
 
 
@@ -61,9 +61,10 @@ def sign_of(rules: Rules, at: Vector, row: int, state: BodyState) -> int:
 
 
 def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
-    """Whether a held phase is held at a state: behind a jump, there alone.
+    """Whether a held phase may begin at a state: a rest behind a jump, only at its place.
 
-    A jump may give its velocity to the whole body, of which some modes are left out.
+    Behind a jump that leaves no velocity, the velocity of the contact is not checked: with
+    truncated modes it need not be exact.
     """
     laws, wall, Y = rules.phases.laws, rules.kinds[p, column.WALL], full_of(state)
     row, speed = rules.kinds[wall, column.ROW], float(laws.speed[p])
@@ -77,14 +78,14 @@ def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
 
 
 def begun(rules: Rules, p: int, state: BodyState) -> BodyState:
-    """Return a state with the velocity at which a phase is held, if it is."""
+    """Return a state with the velocity that a held phase prescribes; else unchanged."""
     if rules.kinds[p, column.HELD] == 0:
         return state
     return struck(rules, rules.phases.laws.holding[p], state, state.surface)
 
 
 def struck(rules: Rules, impulses: Matrix, state: BodyState, surface: int) -> BodyState:
-    """Return a state behind impulses, by what it is before them."""
+    """Return the state behind impulses, which are linear forms of the state before them."""
     Y, by_impulse, y = full_of(state), rules.phases.laws.struck, copied(state.y)
     for j in range(len(impulses)):
         impulse = value_of(impulses[j], Y)
@@ -96,7 +97,7 @@ def struck(rules: Rules, impulses: Matrix, state: BodyState, surface: int) -> Bo
 def on(rows: Matrix, state: BodyState) -> BodyState:
     """Return the state nearest to one at which some forms vanish.
 
-    What each form adds to the ways of those before it is one way more, by Gram and Schmidt.
+    The gradients of the forms are orthogonalized by Gram and Schmidt.
     """
     n, Y = len(state.y), full_of(state)
     ways, moved, y = np.zeros((len(rows), n)), np.zeros(len(rows)), copied(state.y)
@@ -111,7 +112,7 @@ def on(rows: Matrix, state: BodyState) -> BodyState:
             for i in range(n):
                 ways[k, i] -= part * ways[j, i]
         length = sqrt(value_of(ways[k], ways[k]))
-        is_new = length > NEW * before  # else it is one of those before it
+        is_new = length > NEW * before  # else it depends on those before it
         moved[k] = left / length if is_new else 0.0
         for i in range(n):
             ways[k, i] = ways[k, i] / length if is_new else 0.0
@@ -120,7 +121,7 @@ def on(rows: Matrix, state: BodyState) -> BodyState:
 
 
 def copied(values: Values) -> Vector:
-    """Return numbers as an array of their own."""
+    """Return a copy of numbers as an array."""
     found = np.zeros(len(values))
     for i in range(len(found)):
         found[i] = values[i]
@@ -128,7 +129,7 @@ def copied(values: Values) -> Vector:
 
 
 def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
-    """Return the state in which a phase begins: with what its beginning sets."""
+    """Return a state with the memory that the start of a phase sets."""
     if not sets(rules, p):
         return state
     Y, values = full_of(state), copied(state.memory)
@@ -144,13 +145,13 @@ def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
 
 
 def jumps_at(rules: Rules, p: int, surface: int) -> int:
-    """Return the phase whose jumps are those where a phase ends on a surface, or `NONE`."""
+    """Return the phase with the jumps at which phase p ends on a surface; `NONE` if no jump."""
     ending = int(rules.endings[p, surface])
     return ending if ending != NONE and rules.phases.laws.jumps[ending] else NONE
 
 
 def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
-    """Return the state behind the switch from that in which a phase ends, where a form does."""
+    """Return the state behind the switch, from the state where the form of a row vanishes."""
     surface = int(rules.surfaces[row])
     ending = jumps_at(rules, p, surface)
     if ending == NONE:
@@ -161,7 +162,7 @@ def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
 
 
 def may_switch(rules: Rules, p: int, before: BodyState) -> bool:
-    """Whether a state is one that the event of a phase demands, but for rounding."""
+    """Whether a state meets the demands at the switch of a phase, to rounding."""
     Y = full_of(before)
     known_to = rounded(Y, len(before.y))
     for row in range(rules.kinds[p, column.AT_SWITCH], rules.kinds[p, column.END]):

@@ -1,6 +1,6 @@
-"""A phase of a body from where it begins to behind its switch.
+"""One step of a body: a phase up to its event, and the switch at its end.
 
-The functions stand for those of the same names in `steps`: plain Python, or compiled by numba.
+The functions replace those of the same names in `steps`: plain Python, or compiled by numba.
 """
 
 import numpy as np
@@ -19,19 +19,19 @@ from .modes import size_by_poles, size_of, state_at, value_of
 from .phases import NO_CONTACT
 from .state import BodyState, begun, crossed, entered, full_of, jumps_at, on
 
-#: Height of a jump that is located, in units of what is rounding of a displacement.
+#: Least height of a jump that is located, in units of the rounding of a displacement.
 RESOLVED = 4
 
 
 def width(rules: Rules) -> int:
-    """Return how many numbers of a state are kept at a whole turn: see `strobe`."""
+    """Return how many numbers `strobe` keeps of a state."""
     return 2 + len(rules.setting) + len(rules.phases.laws.struck)
 
 
 def watched(rules: Rules, p: int, state: BodyState) -> tuple[Integers, Vector, Indices]:
-    """Return the rows of what may end a phase, their signs, and which are known to be zero.
+    """Return the rows of the forms that may end a phase, their signs, and the known zeros.
 
-    So that none is negative in the state in which it begins.
+    The signs make each form nonnegative just after the start of the phase.
     """
     kinds, Y = rules.kinds[p], full_of(state)
     event, behind = int(kinds[column.ROW]), int(kinds[column.AT_SWITCH])
@@ -48,10 +48,10 @@ def watched(rules: Rules, p: int, state: BodyState) -> tuple[Integers, Vector, I
 def end_of_phase(
     rules: Rules, p: int, state: BodyState, clock: Clock, most: float
 ) -> tuple[float, int, int, BodyState]:
-    """Return when a phase ends, how, the row of the form that ends it, and the state there.
+    """Return when a phase ends, how, the row of the form that vanishes, and the state there.
 
-    An event behind which nothing changes is passed, as where a mass comes back through the
-    place at which it left a spring.
+    An event at which nothing changes is skipped, as where a mass comes back through the place
+    at which it left a spring.
     """
     begins, start = state, 0.0
     while True:
@@ -73,9 +73,9 @@ def end_of_phase(
 def reached(
     rules: Rules, p: int, state: BodyState, s: float, row: int, angle: float
 ) -> BodyState:
-    """Return the state in which a phase ends where a form vanishes, without rounding there.
+    """Return the state in which a phase ends after a time `s`, projected onto its surface.
 
-    A held contact has moved by its speed.
+    A held contact is put where its speed brings it.
     """
     Y, n, laws = full_of(state), len(state.y), rules.phases.laws
     held, speed = rules.kinds[p, column.HELD] != 0, float(laws.speed[p])
@@ -105,7 +105,7 @@ def changes(rules: Rules, p: int, row: int, end: BodyState, behind: BodyState) -
 
 
 def jumping(rules: Rules, p: int, surface: int, after: int, state: BodyState) -> float:
-    """Return how long jumps go on behind that which ends a phase; 0 if not known."""
+    """Return the time until the jumps behind the end of a phase accumulate; 0 if unknown."""
     ending, laws, Y = jumps_at(rules, p, surface), rules.phases.laws, full_of(state)
     if ending == NONE or rules.kinds[after, column.HELD] != 0:
         return 0.0
@@ -113,7 +113,7 @@ def jumping(rules: Rules, p: int, surface: int, after: int, state: BodyState) ->
     if i == NO_CONTACT:
         return 0.0
     v = value_of(laws.velocity[after, i, 0], Y)
-    if not abs(v) > NOISE * size_of(laws.rounding[after, i], Y):  # nor whether it moves away
+    if not abs(v) > NOISE * size_of(laws.rounding[after, i], Y):  # its sign is rounding
         return 0.0
     a, jerk = value_of(laws.velocity[after, i, 1], Y), value_of(laws.velocity[after, i, 2], Y)
     if not v * a < 0:
@@ -125,14 +125,14 @@ def jumping(rules: Rules, p: int, surface: int, after: int, state: BodyState) ->
 
 
 def cannot_go_on(left: float, away: int) -> bool:
-    """Whether jumps that go on for a time, and end in no rest, are too low to be followed."""
+    """Whether the jumps accumulate without a rest: they are too low to be followed."""
     return left > 0 and away == NONE
 
 
 def rest_of(
     rules: Rules, p: int, behind: BodyState, left: float, angle: float
 ) -> tuple[int, BodyState]:
-    """Return the rest behind jumps that go on for a time, and the state in which it begins."""
+    """Return the rest behind jumps that accumulate in a time `left`, and its state then."""
     rest = rest_behind(rules, p, behind)
     if rest == NONE:
         return rest, behind
@@ -145,10 +145,10 @@ def strobe(
     rules: Rules, p: int, state: BodyState, clock: Clock, s: float,
     states: Matrix, phases: Integers, count: int,
 ) -> int:  # fmt: skip
-    """Fill in the states at the whole turns within a phase that lasts a time.
+    """Fill in the states at the whole turns within a phase of duration `s`.
 
-    Displacement and velocity of the first contact, the memory, and y.  Return how many are
-    filled in then, where `count` were before.
+    Each is displacement and velocity of the first contact, the memory, and y.  `count` states
+    are filled in before; return how many are then.
     """
     laws, poles, Y = rules.phases.laws, rules.phases.poles, full_of(state)
     more = len(state.memory)

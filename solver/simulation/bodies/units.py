@@ -1,4 +1,4 @@
-"""States of a body in SI units, to go on from also where its modes are others."""
+"""States of a body in SI units, to continue from, even with another set of modes."""
 
 import numpy as np
 
@@ -10,15 +10,16 @@ from .state import BodyState
 
 
 def state_of(case: Case, machine: BodyMachine, values: Vector) -> BodyState:
-    """Return the state where the phase of the forcing is 0, from numbers in SI units.
+    """Return the state with phase of the forcing 0, from numbers in SI units.
 
-    Of a body whose modes are others, the nearest to theirs with the contact at its place.
+    If the body has another number of modes, these are cut or padded with zeros; then the state
+    is the nearest with the given displacement and velocity of the contact.
 
     Parameters
     ----------
     values : ndarray
-        Displacement and velocity of the first contact, the memory, and of each mode its
-        displacement, then of each its velocity.
+        Displacement and velocity of the first contact, the memory, the displacements of all
+        modes, their velocities.
     """
     seen, count = 2 + len(machine.cell.memory), len(machine.cell.body.squares)
     modes, other = values[seen:].reshape(2, -1), np.zeros((2, count))
@@ -30,7 +31,7 @@ def state_of(case: Case, machine: BodyMachine, values: Vector) -> BodyState:
 
 
 def units_of(case: Case, machine: BodyMachine) -> Vector:
-    """Return the units of the numbers in `state_of`, from those at a whole turn of a motion."""
+    """Return the SI units of the numbers that `strobe` keeps at a whole turn, as one vector."""
     units, w = case.units, scales(machine.cell.body, machine.cell.omega)
     root = units.mass**0.5
     memory = [units.of_motion(q.power) for q in machine.cell.memory]

@@ -1,9 +1,9 @@
-"""A linear form along a phase: Taylor coefficients, and a bound for what they leave out.
+"""A linear form along a phase: its derivatives, and a bound of the Taylor remainder.
 
 Every derivative of the displacement obeys the equation of motion itself, forced by a derivative
-of the forcing.  The norm ``sqrt(kappa y**2 + y'**2)`` of a solution grows no faster than at the
-logarithmic norm of its matrix, and the forcing adds at most its amplitude: that bounds all
-derivatives over a window, from their values at its start alone.
+of the forcing.  The norm ``sqrt(kappa y**2 + y'**2)`` of a solution grows at most at the rate
+of the logarithmic norm of its matrix, and the forcing adds at most its amplitude: this bounds
+all derivatives over a window by their values at its start.
 """
 
 from math import cos, exp, inf, sin, sqrt
@@ -11,14 +11,14 @@ from typing import NamedTuple
 
 from ...scenes.cell import Form, Phase
 
-#: Taylor coefficients that are used; the bound is for the derivative of this order.
+#: Number of Taylor coefficients; the remainder is bounded by the derivative of this order.
 TERMS = 6
 
 
 class Equation(NamedTuple):
     """A phase in numbers: ``m x'' + c x' + k x = f + g cos(omega t + phi)``, or ``x' = speed``.
 
-    As `Phase`, with what is remembered in `f`, and with the frequency of the forcing.
+    As `Phase`, with the memory evaluated into `f`, and with the frequency of the forcing.
     """
 
     m: float
@@ -38,11 +38,11 @@ class Local(NamedTuple):
     ----------
     phase : Equation
     derivatives : tuple of float
-        Of the displacement, from order 0 to `TERMS` and one more.
+        Of the displacement, of orders 0 to `TERMS` + 1.
     sizes : tuple of float
-        Of what each is the sum of, added without sign.
+        The sum of the moduli of the terms of each derivative: its rounding is a part of it.
     powers, waves : tuple of float
-        Amplitudes and values of the derivatives of the cosine, up to `TERMS` - 1.
+        Amplitudes and values of the derivatives of the cosine, of orders 0 to `TERMS` - 1.
     """
 
     phase: Equation
@@ -53,7 +53,7 @@ class Local(NamedTuple):
 
 
 def local(phase: Equation, x: float, v: float, angle: float, placed: bool) -> Local:
-    """Return a phase at a state; `placed` if the displacement is exact to its own rounding."""
+    """Return the derivatives at a state; `placed`: its displacement is exact to rounding."""
     p1 = phase.omega
     p2 = p1 * p1
     p3, p4, p5 = p2 * p1, p2 * p1 * p1, p2 * p1 * p1 * p1
@@ -70,7 +70,7 @@ def local(phase: Equation, x: float, v: float, angle: float, placed: bool) -> Lo
     x5, of_5 = _derivative(phase, x3, x4, 0.0, p3, waves[3])
     x6, of_6 = _derivative(phase, x4, x5, 0.0, p4, waves[4])
     x7, of_7 = _derivative(phase, x5, x6, 0.0, p5, waves[5])
-    # displacements are known to the rounding of the way in a unit of time, also where x is 0
+    # a displacement is known to the rounding of |x| + |v|, also where x is 0
     near = abs(x) + (0.0 if placed else abs(v))
     sizes = (near, abs(v), of_2, of_3, of_4, of_5, of_6, of_7)
     return Local(phase, (x, v, x2, x3, x4, x5, x6, x7), sizes, powers, waves)
@@ -79,14 +79,14 @@ def local(phase: Equation, x: float, v: float, angle: float, placed: bool) -> Lo
 def _derivative(
     phase: Equation, x: float, v: float, f: float, power: float, wave: float
 ) -> tuple[float, float]:
-    """Return the second derivative of what obeys the equation of motion, and its size."""
+    """Return the acceleration of a solution x of the equation of motion, and its size."""
     m, c, k, g = phase.m, phase.c, phase.k, phase.g
     size = (abs(f) + abs(g) * power + abs(c * v) + abs(k * x)) / m
     return (f + g * wave - c * v - k * x) / m, size
 
 
 def window(phase: Equation | Phase, omega: float) -> float:
-    """Return a time over which the bound is not far too large; it may be infinite."""
+    """Return a time over which `bound` is not far too large; it may be infinite."""
     rate = omega if phase.held or phase.g != 0 else 0.0
     if not phase.held:
         rate = max(rate, sqrt(abs(phase.k) / phase.m), -phase.c / phase.m)
@@ -94,7 +94,7 @@ def window(phase: Equation | Phase, omega: float) -> float:
 
 
 def taylor(at: Local, form: Form) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Return the derivatives of a form by time up to `TERMS` - 1, and the size of each."""
+    """Return the time derivatives of a form up to order `TERMS` - 1, and the size of each."""
     ex, ev, ec, constant = form
     x0, x1, x2, x3, x4, x5, x6, _ = at.derivatives
     w0, w1, w2, w3, w4, w5 = at.waves
@@ -115,7 +115,7 @@ def taylor(at: Local, form: Form) -> tuple[tuple[float, ...], tuple[float, ...]]
 
 
 def bound(at: Local, form: Form, s: float) -> float:
-    """Return what the derivative of order `TERMS` of a form never exceeds within a time `s`."""
+    """Return a bound of the derivative of order `TERMS` of a form within a time `s`."""
     ex, ev, ec, _ = form
     m, c, k, _, g, held, _, omega = at.phase
     power = at.powers[TERMS - 1] * omega
@@ -136,7 +136,7 @@ def bound(at: Local, form: Form, s: float) -> float:
 
 
 def length(a: float, b: float) -> float:
-    """Return ``hypot(a, b)``, of which Python and numba have different bits."""
+    """Return ``hypot(a, b)``, with the same bits in Python and numba, unlike the built-in."""
     large = max(abs(a), abs(b))
     if not 0 < large < inf:
         return large

@@ -1,31 +1,32 @@
-"""Switches that accumulate: infinitely many in a finite time, each jump a part of the last.
+"""Chatter: infinitely many switches in a finite time, the jumps a geometric sequence.
 
-A mass that is pressed against a wall, and leaves it each time with a part r of its speed, is
-away for ``2 v / |a|`` first, and then each time for r of the time before: in all for
-``2 v / ((1 - r) |a|)``.  So it is under a constant force, and where the time is so short that
-the change of the force does not count.
+A mass that is pressed against a wall with acceleration a, leaves it with speed v and rebounds
+with a part r of its speed is away for ``2 v / |a|`` first, then each time for r of the time
+before: in all for ``2 v / ((1 - r) |a|)``.  This holds under a constant force, or in a time so
+short that the change of the force does not count.
 """
 
 from collections.abc import Sequence
 
-#: Phases in a row, each shorter than this without units, that may be chatter.
+#: So many phases in a row, each shorter than `SHORT` without units, may be chatter.
 CHATTER, SHORT = 12, 1e-6
 
-#: How far the time that is left may be from that under a constant force, without units.
+#: Bound, without units, below which the change of the force is neglected in the time left.
 LEFT = 1e-16
 
 
 def time_left(v: float, a: float, jerk: float, rho: float, resolved: float) -> float:
-    """Return how long the jumps at a wall still go on; 0 while that is not known.
+    """Return the time until the jumps at a wall accumulate; 0 while it is not yet known.
 
     Parameters
     ----------
     v, a, jerk : float
-        The motion behind a jump: velocity, acceleration and its rate.
+        Velocity, acceleration and jerk just behind a jump.
     rho : float
-        The velocity there over that before.
+        Ratio of the velocities behind and before it.
     resolved : float
-        Height of a jump that is seen: lower ones are rounding, if what presses them lasts.
+        Least height of a jump above rounding: lower ones count as accumulating if the force
+        hardly changes meanwhile.
     """
     if not (-1 < rho <= 0 and v * a < 0):
         return 0.0
@@ -36,14 +37,14 @@ def time_left(v: float, a: float, jerk: float, rho: float, resolved: float) -> f
 
 
 def put_last(last: list[float], s: float) -> None:
-    """Put the duration of a phase behind those of the last phases, and forget the first."""
+    """Append the duration of a phase to those of the last phases, and drop the first."""
     for i in range(CHATTER - 1):
         last[i] = last[i + 1]
     last[CHATTER - 1] = s
 
 
 def accumulates(last: Sequence[float]) -> bool:
-    """Whether the last phases are short, and their second half is shorter than the first."""
+    """Whether all the last phases are short, and the second half is shorter than the first."""
     first, second, half = 0.0, 0.0, CHATTER // 2
     for i in range(half):
         if last[i] >= SHORT or last[half + i] >= SHORT:
@@ -53,8 +54,8 @@ def accumulates(last: Sequence[float]) -> bool:
 
 
 def end_of(t: float, before: float, last: float) -> float:
-    """Return when the switches accumulate, as a geometric series, without units.
+    """Return when the switches accumulate, by the sum of a geometric series, without units.
 
-    The last phase ends at t; the last two take the times `before` and `last`.
+    The last phase ends at t; `before` and `last` are the durations of the last two.
     """
     return t + last * last / (before - last) if 0 < last < before else t

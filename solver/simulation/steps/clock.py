@@ -1,24 +1,24 @@
 """The angle of the forcing behind any number of phases, to its own rounding.
 
-A sum of durations in float64 drifts: each is rounded to the digits of the whole.  Here the
-angle through which the forcing has turned is an unevaluated sum of two numbers, less whole
-turns, of which there are three parts.  Products and sums of two numbers are exact (Dekker,
-Knuth); what is rounded is the lower number alone.  A phase through an angle a leaves an error
-of some ``2**-104 a``, and so does what is left out of a whole turn: 1e-27 behind a hundred
-thousand turns.  So an angle is the number of float64 that is nearest to the exact one, unless
-that is so near to the middle between two.
+A sum of durations in float64 drifts: each is rounded to the digits of the sum.  Here the angle
+through which the forcing has turned is kept in double-double arithmetic, an unevaluated sum of
+two floats, modulo whole turns; 2 pi is a sum of three floats.  Products and sums of two floats
+are error-free (Dekker, Knuth); only the lower part is rounded.  A phase through an angle a adds
+an error of about ``2**-104 a``, and so does the truncation of 2 pi: 1e-27 after a hundred
+thousand turns.  So an angle is the float64 nearest to the exact one, unless that is as close to
+the midpoint of two.
 """
 
 from math import atan2, cos, floor, frexp, ldexp, sin
 from typing import NamedTuple
 
-#: A whole turn in rad, as a sum.
+#: 2 pi as a sum of three floats.
 TURN = (6.283185307179586, 2.4492935982947064e-16, -5.989539619436679e-33)
 
-#: What splits a number into two of half its digits.
+#: Dekker's factor, which splits a float into two of half its digits.
 SPLIT = 2.0**27 + 1
 
-#: Turns of one phase beyond which the angle has no digits.
+#: Turns in one phase beyond which the angle has no correct digits.
 MOST_TURNS = 1e15
 
 
@@ -30,11 +30,11 @@ class Clock(NamedTuple):
     first : float
         The angle of the forcing at the start.
     omega : float
-        By which it turns in a unit of time; where nothing forces, 0.
+        Frequency of the forcing; 0 where nothing forces.
     turns : int
-        Whole turns since the start; where nothing forces, of an angle of one in a unit of time.
+        Whole turns since the start; where nothing forces, of an angle with frequency 1.
     high, low : float
-        The rest of that angle, as a sum.
+        The rest of that angle, as a double-double.
 
     Examples
     --------
@@ -53,14 +53,14 @@ class Clock(NamedTuple):
 
 
 def at_start(angle: float, omega: float) -> Clock:
-    """Return the start, where the forcing has an angle."""
+    """Return the clock at the start, where the forcing has a given angle."""
     if abs(angle) > TURN[0]:
         angle = atan2(sin(angle), cos(angle))
     return Clock(angle, omega, 0, 0.0, 0.0)
 
 
 def later(clock: Clock, s: float) -> Clock:
-    """Return a later instant."""
+    """Return the clock after a time `s`."""
     mantissa, power = frexp(clock.omega if clock.omega > 0 else 1.0)  # no product overflows
     turned, error = product(mantissa, ldexp(s, power))
     high, more = total(clock.high, turned)
@@ -78,13 +78,13 @@ def angle_of(clock: Clock) -> float:
 
 
 def time_to(clock: Clock, turns: int) -> float:
-    """Return the time until a number of whole turns since the start."""
+    """Return the time until `turns` whole turns since the start; 0 if they have passed."""
     high, low = less(-clock.high, -clock.low, clock.turns - turns)
     return max(high + low, 0.0) / (clock.omega if clock.omega > 0 else 1.0)
 
 
 def whole_turns(high: float, low: float) -> tuple[int, float, float]:
-    """Return the whole turns of an angle, and what is left of it."""
+    """Return the number of whole turns in an angle, and the rest as a double-double."""
     turns = floor(min(high / TURN[0], MOST_TURNS))
     high, low = less(high, low, turns)
     if high < 0:  # it was rounded up to a whole turn
@@ -94,7 +94,7 @@ def whole_turns(high: float, low: float) -> tuple[int, float, float]:
 
 
 def less(high: float, low: float, turns: int) -> tuple[float, float]:
-    """Return an angle less whole turns, the nearest number of float64 and what is left."""
+    """Return an angle minus whole turns, as a double-double."""
     for part in TURN:
         turned, error = product(float(turns), part)
         high, more = total(high, -turned)

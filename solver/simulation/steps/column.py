@@ -1,10 +1,10 @@
 """Columns of the arrays in `Rules`."""
 
-#: Of `phases`; the factors of the memory are behind them.
+#: Of `phases`; from `MEMORY` on, the coefficients of the memory.
 M, C, K, F, G, SPEED, RHO, D, MEMORY = range(9)
 
 #: Of `kinds`.
 HELD, WATCHED, WALL, INDEX, SIGN, ROW, AT_SWITCH, END = range(8)
 
-#: In the place of a phase or of a surface: there is none.
+#: Number that stands for no phase, or no surface.
 NONE = -1

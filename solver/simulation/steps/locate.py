@@ -1,11 +1,11 @@
 """The first event of a phase, which no step can pass over.
 
-From a state, a form is at least its Taylor polynomial less the bound for the rest: it has no
-zero before that lower bound has one.  So far a step goes; the motion there is that of the exact
-flow from the start of the phase, not of the polynomial.  Near an event these steps converge as
-fast as Newton's do.  A form that falls below zero by no more than its rounding only touches it,
-which is not an event.  A form that is zero at the start of a phase, as that of the event which
-began it, is divided by time as often as it vanishes there.
+A form is at least its Taylor polynomial minus a bound of the remainder, so it has no zero
+before this lower bound has one.  A step goes to the first zero of the bound; the state there
+comes from the exact flow since the start of the phase, not from the polynomial.  Near an event
+the steps converge as fast as Newton's method.  A form that falls below zero by no more than its
+rounding error only touches it: that is no event.  A form that vanishes at the start of a phase,
+as that of the event which began it, is divided by the power of time with which it vanishes.
 """
 
 from collections.abc import Sequence
@@ -17,27 +17,27 @@ from ...scenes.cell import Form
 from .bounds import TERMS, Equation, Local, bound, local, taylor, window
 from .zeros import NARROW, Polynomial, first_zero
 
-#: What rounding makes of 1.
+#: Machine epsilon.
 EPS = 2.0**-52
 
-#: What of a derivative may be rounding, as a part of the size of its terms.
+#: Rounding error of a derivative, relative to the sum of the moduli of its terms.
 NOISE = 64 * EPS
 
-#: A time, without units, in which nothing happens.
+#: The shortest time, without units, on which a form is examined.
 SHORTEST = 1e-280
 
-#: Steps of one phase before a search is given up; some ten are usual for a period.
+#: Steps after which the search in a phase is given up; about ten are usual for a period.
 MOST_STEPS = 100_000
 
-#: How a phase ended: by an event, or it was followed to the end of its time, or no farther
-#: than float64 or the steps of a search go.
+#: How a phase ended: by an event, cut off at the end of its time, beyond the range of float64,
+#: or after too many steps of the search.
 EVENT, CUT, BEYOND, LOST = range(4)
 
 
 class Reached(NamedTuple):
-    """Where a phase ends: how long it lasted, and the state there, before the switch.
+    """The end of a phase: its duration `s`, and the state there, before the switch.
 
-    How is `EVENT`, `CUT`, `BEYOND` or `LOST`; of an event, which of the forms vanishes.
+    `how` is `EVENT`, `CUT`, `BEYOND` or `LOST`; `form` is the index of the form that vanishes.
     """
 
     s: float
@@ -48,9 +48,9 @@ class Reached(NamedTuple):
 
 
 def sign_after(at: Local, form: Form, zero: bool) -> int:
-    """Return the sign of a form just after a state: of its first derivative but zeros.
+    """Return the sign of a form just after a state: that of its first nonzero derivative.
 
-    `zero` says that the form itself is known to be zero there, whatever rounding makes of it.
+    `zero`: the form is known to vanish at the state, whatever the rounding.
     """
     values, sizes = taylor(at, form)
     leading = _leading(values, sizes, zero)
@@ -60,10 +60,10 @@ def sign_after(at: Local, form: Form, zero: bool) -> int:
 
 
 def _touch(values: tuple[float, ...], sizes: tuple[float, ...]) -> float:
-    """Return a time after which a form that is zero, and falls, has risen again.
+    """Return a time after which a form that is zero and falls is positive again.
 
-    It is 0 where the form falls below zero by more than its rounding: elsewhere it only
-    touches zero, and nobody can tell whether it passes.
+    It is 0 where the form falls below zero by more than its rounding error.  Otherwise float64
+    cannot tell a passage from a tangency, and it counts as touching.
     """
     slope, curvature, third = values[1], values[2], values[3]
     if not slope < 0 < curvature:
@@ -74,7 +74,7 @@ def _touch(values: tuple[float, ...], sizes: tuple[float, ...]) -> float:
 
 
 def _leading(values: tuple[float, ...], sizes: tuple[float, ...], zero: bool) -> int:
-    """Return the order of the first derivative that is not zero; `TERMS` if there is none."""
+    """Return the order of the first derivative above rounding; `TERMS` if there is none."""
     for j in range(1 if zero else 0, TERMS):
         if abs(values[j]) > NOISE * sizes[j]:
             return j
@@ -85,18 +85,18 @@ def first_event(
     phase: Equation, x: float, v: float, angle: float, placed: bool,
     forms: Sequence[Form], zeros: Sequence[bool], most: float,
 ) -> Reached:  # fmt: skip
-    """Return where the first of some forms vanishes.
+    """Return the first zero of any of some forms, and the state there.
 
     Parameters
     ----------
     placed : bool
         Whether the displacement at the start is exact to its own rounding.
     forms : sequence of Form
-        Each not negative just after the start.
+        Linear event functions, none negative just after the start.
     zeros : sequence of bool
-        Which of the forms are known to be zero at the start.
+        Which of the forms are known to vanish at the start.
     most : float
-        Time after which the search ends.
+        Time at which the search ends.
     """
     s, at_x, at_v, omega = 0.0, x, v, phase.omega
     widest, largest = window(phase, omega), _largest(forms)
@@ -124,7 +124,7 @@ def first_event(
 
 
 def _largest(forms: Sequence[Form]) -> float:
-    """Return the largest factor of some forms; 1 at least."""
+    """Return the largest modulus of a coefficient of some forms; 1 at least."""
     found = 1.0
     for form in forms:
         for i in range(4):
@@ -133,17 +133,17 @@ def _largest(forms: Sequence[Form]) -> float:
 
 
 def _last_correction(at: Local, form: Form, s: float) -> float:
-    """Return Newton's last step to a zero that is within rounding, of either sign."""
+    """Return the last Newton correction of a located zero, of either sign; 0 if it is large."""
     values, _ = taylor(at, form)
     step = -values[0] / values[1] if values[1] != 0 else 0.0
     return step if abs(step) <= 1e-9 * s else 0.0
 
 
 def _safe(at: Local, form: Form, most: float, zero: bool) -> float:
-    """Return a time before which a form has no zero; `most` if that is longer."""
+    """Return a time, up to `most`, before which a form has no zero."""
     values, sizes = taylor(at, form)
     leading = _leading(values, sizes, zero)
-    if leading == TERMS:  # the form is zero all along
+    if leading == TERMS:  # the form is identically zero
         return most
     if values[leading] < 0 and most >= SHORTEST:
         return min(most, _touch(values, sizes)) if leading == 1 else 0.0
@@ -161,12 +161,12 @@ def _safe(at: Local, form: Form, most: float, zero: bool) -> float:
         found = first_zero(powers) if isfinite(size) else 0.0
         if found > 0:
             return min(found, 1.0) * most
-        most *= NARROW  # an interval of the size of what is left
+        most *= NARROW  # a zero this near, or overflow: a shorter interval
     return most
 
 
 def _from_below(values: tuple[float, ...], rest: float, s: float) -> Polynomial:
-    """Return a polynomial on [0, 1] that a form is not below within a time `s`."""
+    """Return a lower bound of a form within a time `s`: powers of time / s on [0, 1]."""
     a, b, c, d, e, f = values
     s2 = s * s / 2
     s3, s4 = s2 * s / 3, s2 * s / 3 * s / 4

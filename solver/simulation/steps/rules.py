@@ -1,4 +1,4 @@
-"""The phases that a motion can be in as arrays, and which may follow which: once for a cell."""
+"""The phases of a cell, their event functions and their possible successors, as arrays."""
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -12,31 +12,31 @@ from .column import NONE
 
 
 class Rules(NamedTuple):
-    """The phases of a cell as a motion can be in them, and the surfaces that end them.
+    """The phases that a motion of a cell can be in, and the surfaces that end them, in arrays.
 
     Parameters
     ----------
     omega : float
-        Of the forcing.
+        Frequency of the forcing.
     phases : ndarray, shape (P, 8 + M)
-        Of each phase: equation, speed, law, and factors of the memory in its force.  Of a body
-        in their place its `Phases`.
+        For each phase: equation, speed, law, and coefficients of the memory in its force; see
+        `column`.  For a body its `Phases` instead.
     kinds : ndarray of int, shape (P, 8)
-        Of each phase: whether it is held; whether its event is none of its demands; behind the
-        jump of which it is a rest at a place; its place in the cell; -1 if it is mirrored.
-        Then in `forms` the row of its event, before its demands; the first row of what it
-        demands at its switch; and the one behind them.
+        For each phase: whether it is held; whether its event is none of its demands; if it is a
+        rest at a place, the phase whose jump it follows; its index in the cell; -1 if it is
+        mirrored, else 1.  Then three rows of `forms`: of its event, which its demands follow;
+        the first demand at its switch; and the end of those.
     forms : ndarray, shape (F, 4 + M)
-        By ``x, v, cos, 1, memory``.  Of a body by its ``Y``; see `Phases`.
+        Coefficients of ``x, v, cos, 1, memory``.  For a body of ``Y``; see `Phases`.
     surfaces : ndarray of int, shape (F,)
-        On which each vanishes.
+        The surface on which each form vanishes; `NONE` for a demand at a switch.
     endings : ndarray of int, shape (P, S)
-        The phase of the same equation whose event is a surface, for each phase and surface.
+        For each phase and surface: the phase of the same equation whose event is that surface.
     turns : ndarray of int, shape (P + 1, P)
-        In which turn phases are tried where one is declared, or at last none: constraints hold
-        while they can.
+        Row p: the order in which successors are tried where phase p is the declared one; last
+        row: where none is.  Constraints come first: they hold while they can.
     setting, memory : ndarray, shape (M,), (M, 4)
-        As in `Arrays`.  Of a body the forms are longer.
+        As in `Arrays`.  For a body the forms are longer.
     """
 
     omega: float
@@ -51,7 +51,7 @@ class Rules(NamedTuple):
 
 
 def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
-    """Return the rules of a cell, whose phases are nodes."""
+    """Return the rules of a cell from the phases that its motion can be in."""
     phases, more = range(len(nodes)), len(cell.memory)
     numbers, kinds, behind = [], [], walls(nodes)
     forms: list[Form] = []

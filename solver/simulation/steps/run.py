@@ -1,4 +1,4 @@
-"""A motion at whole turns of the forcing, without a list of its phases: for many starts.
+"""A motion sampled at whole turns of the forcing, without its phases: for many starts.
 
 Functions over `Rules` and states: plain Python, or compiled by numba.
 """
@@ -23,22 +23,22 @@ MOST_PHASES = 100_000
 
 
 def run(rules: Rules, state: State, cycles: int) -> tuple[Matrix, Integers, int]:
-    """Return a motion at each whole turn of the forcing, as `cycle` counts them.
+    """Return a motion at each whole turn of the forcing; without forcing, each 2 pi of time.
 
     Parameters
     ----------
     cycles : int
-        How many turns it is followed.
+        Number of turns for which it is followed.
 
     Returns
     -------
     states : ndarray, shape (turns, 2 + M)
-        Displacement, velocity and memory at the start and behind each turn that was reached;
-        at a switch, those behind it.  Of a body, then y of its modes.
+        Displacement, velocity and memory at the start and after each turn that was reached;
+        at a switch, those behind it.  For a body, also its y, after these.
     phases : ndarray of int, shape (turns,)
-        The phase that it is in.
+        The phase at each of these.
     how : int
-        Why it ended: `CUT` if it was followed for so many cycles.
+        Why it ended: `CUT` if it was followed for all the cycles.
     """
     states = np.zeros((cycles + 1, width(rules)))
     phases, count, last = np.zeros(cycles + 1, dtype=np.int64), 0, [inf] * CHATTER
@@ -65,7 +65,7 @@ def run(rules: Rules, state: State, cycles: int) -> tuple[Matrix, Integers, int]
 
 
 def width(rules: Rules) -> int:
-    """Return how many numbers of a state are kept at a whole turn: see `strobe`."""
+    """Return how many numbers `strobe` keeps of a state."""
     return 2 + len(rules.setting)
 
 
@@ -73,9 +73,9 @@ def strobe(
     rules: Rules, p: int, state: State, clock: Clock, s: float,
     states: Matrix, phases: Integers, count: int,
 ) -> int:  # fmt: skip
-    """Fill in the states at the whole turns within a phase that lasts a time.
+    """Fill in the states at the whole turns within a phase of duration `s`.
 
-    Return how many are filled in then, where `count` were before.
+    `count` states are filled in before; return how many are then.
     """
     phase = equation_of(rules, p, state.memory)
     while count < len(states):

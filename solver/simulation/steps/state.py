@@ -1,4 +1,4 @@
-"""States of a motion of one mass, its phases at them, and what a switch makes of them.
+"""States of a motion of one mass, the phases that admit them, and the map of a switch.
 
 Functions over `Rules` and states: plain Python, or compiled by numba.
 """
@@ -16,18 +16,18 @@ from .column import NONE
 from .locate import NOISE, sign_after
 from .rules import Rules
 
-#: How far from the velocity at which a phase is held a motion may enter it, without units.
+#: Tolerance of the velocity with which a motion may enter a held phase, without units.
 NEAR = 1e-9
 
-#: What a motion remembers; an array where functions are compiled.
+#: Values of the memory; an array where functions are compiled.
 Values: TypeAlias = Sequence[float] | Vector
 
 
 class State(NamedTuple):
     """Displacement, velocity, angle of the forcing and memory, without units.
 
-    The surface that it is known to be on, that of the event that has just happened, or `NONE`;
-    `placed` if the displacement is that of the surface, to its own rounding.
+    `surface` is the one on which the state is known to be, that of the event just before it, or
+    `NONE`.  `placed`: the displacement is that of the surface, exact to its own rounding.
     """
 
     x: float
@@ -39,7 +39,7 @@ class State(NamedTuple):
 
     @property
     def full(self) -> Vector:
-        """What forms are of: ``(x, x', cos, 1, memory)``."""
+        """The vector on which forms act: ``(x, x', cos, 1, memory)``."""
         return np.array([self.x, self.v, cos(self.angle), 1.0, *self.memory])
 
 
@@ -48,9 +48,9 @@ AnyState: TypeAlias = Any
 
 
 def equation_of(rules: Rules, p: int, memory: Values) -> Equation:
-    """Return a phase with numbers for what the motion remembers.
+    """Return the equation of a phase with the values of the memory.
 
-    As Python's floats: NumPy's are slow, and round complex quotients otherwise.
+    In Python's floats: NumPy's are slow, and round complex quotients differently.
     """
     row = rules.phases[p]
     m, c, k = float(row[column.M]), float(row[column.C]), float(row[column.K])
@@ -61,7 +61,7 @@ def equation_of(rules: Rules, p: int, memory: Values) -> Equation:
 
 
 def form_of(rules: Rules, row: int, memory: Values) -> tuple[float, float, float, float]:
-    """Return a form with numbers for what the motion remembers."""
+    """Return the coefficients of a form, with the memory evaluated into the constant."""
     form = rules.forms[row]
     constant = float(form[3]) + _remembered(form[4:], memory)
     return float(form[0]), float(form[1]), float(form[2]), constant
@@ -75,7 +75,7 @@ def _remembered(factors: Vector, memory: Values) -> float:
 
 
 def local_of(rules: Rules, p: int, state: State) -> Local:
-    """Return a phase at a state."""
+    """Return the derivatives of the motion in a phase at a state."""
     phase = equation_of(rules, p, state.memory)
     return local(phase, state.x, state.v, state.angle, state.placed)
 
@@ -87,9 +87,9 @@ def sign_of(rules: Rules, at: Local, row: int, state: State) -> int:
 
 
 def sets(rules: Rules, p: int) -> bool:
-    """Whether the beginning of a phase sets what the motion remembers.
+    """Whether the start of a phase sets a memory.
 
-    Such a phase follows its event alone: elsewhere, what it sets would be wrong.
+    Such a phase follows only the event before it: elsewhere it would set a wrong value.
     """
     for index in rules.setting:  # noqa: SIM110  (numba has no `any`)
         if index == rules.kinds[p, column.INDEX]:
@@ -98,7 +98,7 @@ def sets(rules: Rules, p: int) -> bool:
 
 
 def entered(rules: Rules, p: int, state: State) -> State:
-    """Return the state in which a phase begins: with what its beginning sets."""
+    """Return a state with the memory that the start of a phase sets."""
     if not sets(rules, p):
         return state
     values = np.zeros(len(state.memory))
@@ -112,13 +112,13 @@ def entered(rules: Rules, p: int, state: State) -> State:
 
 
 def begun(rules: Rules, p: int, state: State) -> State:
-    """Return a state with the velocity at which a phase is held, if it is."""
+    """Return a state with the velocity that a held phase prescribes; else unchanged."""
     v = float(rules.phases[p, column.SPEED]) if rules.kinds[p, column.HELD] != 0 else state.v
     return State(state.x, v, state.angle, state.surface, state.placed, state.memory)
 
 
 def may_be_held(rules: Rules, p: int, state: State) -> bool:
-    """Whether a held phase is held at a state: behind a jump, there alone."""
+    """Whether a held phase may begin at a state: a rest behind a jump, only at its place."""
     speed, wall = float(rules.phases[p, column.SPEED]), rules.kinds[p, column.WALL]
     if wall == NONE:
         return abs(state.v - speed) <= NEAR * max(1.0, abs(speed))
@@ -128,14 +128,14 @@ def may_be_held(rules: Rules, p: int, state: State) -> bool:
 
 
 def _is_on(rules: Rules, row: int, state: State) -> bool:
-    """Whether a state is on the surface of an event, to rounding, whatever its velocity."""
+    """Whether a state is on the surface of an event, to rounding, at any velocity."""
     ex, _, ec, constant = form_of(rules, row, state.memory)
     of_x, of_cos = ex * state.x, ec * cos(state.angle)
     return abs(of_x + of_cos + constant) <= NOISE * (abs(of_x) + abs(of_cos) + abs(constant))
 
 
 def may_switch(rules: Rules, p: int, before: State) -> bool:
-    """Whether a state is one that the event of a phase demands, but for rounding."""
+    """Whether a state meets the demands at the switch of a phase, to rounding."""
     cosine = cos(before.angle)
     for row in range(rules.kinds[p, column.AT_SWITCH], rules.kinds[p, column.END]):
         ex, ev, ec, constant = form_of(rules, row, before.memory)
@@ -147,7 +147,7 @@ def may_switch(rules: Rules, p: int, before: State) -> bool:
 
 
 def law(rules: Rules, p: int, surface: int) -> tuple[float, float]:
-    """Return rho and d of the switch where a phase ends on a surface."""
+    """Return rho and d of the switch on a surface, ``v -> rho v + d``; 1 and 0 if none."""
     ending = rules.endings[p, surface]
     if ending == NONE:
         return 1.0, 0.0
@@ -155,9 +155,9 @@ def law(rules: Rules, p: int, surface: int) -> tuple[float, float]:
 
 
 def crossed(rules: Rules, p: int, row: int, end: State) -> State:
-    """Return the state behind the switch from that in which a phase ends, where a form does.
+    """Return the state behind the switch, from the state where the form of a row vanishes.
 
-    A displacement or a velocity that the surface alone gives is that, without rounding.
+    A displacement or a velocity that the surface alone fixes is taken from it, exactly.
     """
     surface = int(rules.surfaces[row])
     rho, d = law(rules, p, surface)
@@ -171,5 +171,5 @@ def crossed(rules: Rules, p: int, row: int, end: State) -> State:
 
 
 def cannot_go_on(left: float, away: int) -> bool:
-    """Whether jumps that go on for a time, and end in no rest, are too low to be followed."""
+    """Whether accumulating jumps are too low to be followed; never those of one mass."""
     return False

@@ -1,7 +1,7 @@
-"""A motion from phase to phase: one step is a phase, and what is behind it.
+"""One step of a motion: a phase up to its event, and the switch to the next phase.
 
-Functions over `Rules`, states and clocks: plain Python, or compiled by numba.  `step` is that
-of bodies as well, over other functions of the same names as the rest.
+Functions over `Rules`, states and clocks: plain Python, or compiled by numba.  `step` serves
+bodies as well: there it is linked with their functions of the same names.
 """
 
 from typing import NamedTuple
@@ -26,30 +26,30 @@ from .state import (
 )
 from .switches import next_phase, rest_behind
 
-#: How a motion ends beside the ways in which a phase does: no phase takes a state, its switches
-#: accumulate, or it has too many phases.
+#: Further ways in which a motion ends, beside those of a phase in `locate`: no phase admits the
+#: state, the switches accumulate, or there are too many phases.
 REFUSED, CHATTERS, MANY = range(4, 7)
 
 
 class Passed(NamedTuple):
-    """A phase that was followed, and what is behind it.
+    """A phase that was followed, and the switch at its end.
 
     Parameters
     ----------
     s : float
-        How long it lasted.
+        Duration of the phase.
     how : int
-        How it ended, as in `Reached`, or `REFUSED`.
+        How it ended, as in `Reached`, or `REFUSED` or `CHATTERS`.
     surface : int
-        On which it ended, if it did by an event.
+        The switching surface on which it ended; `NONE` if no event ended it.
     left : float
-        How long the jumps at that surface still go on; 0 if that is not known.
+        Time until the jumps at that surface accumulate; 0 if unknown.
     away : int
-        The phase that stands for all that are left of them, for that time; `NONE` else.
+        The phase that replaces all remaining jumps, for the time `left`; `NONE` if none does.
     behind : State or BodyState
-        Just behind the switch.
+        The state just behind the switch.
     phase, state, clock : int, State or BodyState, Clock
-        The phase that goes on, and where it begins; of one that is cut off, its own.
+        The next phase, and where it begins; if no event ended the phase, itself and its start.
     """
 
     s: float
@@ -64,7 +64,7 @@ class Passed(NamedTuple):
 
 
 def step(rules: Rules, p: int, state: AnyState, clock: Clock, most: float) -> Passed:
-    """Follow a phase from where it begins, for a time at most, and across its switch."""
+    """Follow a phase from its start, for a time `most` at most, and cross its switch."""
     s, how, row, before = end_of_phase(rules, p, state, clock, most)
     if how != EVENT:
         return Passed(s, how, NONE, 0.0, NONE, state, p, state, clock)
@@ -87,9 +87,9 @@ def step(rules: Rules, p: int, state: AnyState, clock: Clock, most: float) -> Pa
 def end_of_phase(
     rules: Rules, p: int, state: State, clock: Clock, most: float
 ) -> tuple[float, int, int, State]:
-    """Return when a phase ends, how, the row of the form that ends it, and the state there.
+    """Return when a phase ends, how, the row of the form that vanishes, and the state there.
 
-    Each of the forms that are watched is not negative before it does.
+    The watched forms are signed so that none is negative at the start.
     """
     at, own = local_of(rules, p, state), rules.kinds[p]
     forms, rows, zeros = [], [], []
@@ -109,7 +109,7 @@ def end_of_phase(
 
 
 def jumping(rules: Rules, p: int, surface: int, after: int, state: State) -> float:
-    """Return how long jumps go on behind that which ends a phase; 0 if not known."""
+    """Return the time until the jumps behind the end of a phase accumulate; 0 if unknown."""
     at, (rho, d) = local_of(rules, after, state), law(rules, p, surface)
     if at.phase.held or d != 0:
         return 0.0
@@ -119,7 +119,7 @@ def jumping(rules: Rules, p: int, surface: int, after: int, state: State) -> flo
 def rest_of(
     rules: Rules, p: int, behind: State, left: float, angle: float
 ) -> tuple[int, State]:
-    """Return the rest behind jumps that go on for a time, and the state in which it begins."""
+    """Return the rest behind jumps that accumulate in a time `left`, and its first state."""
     still = State(behind.x, 0.0, angle, behind.surface, behind.placed, behind.memory)
     rest = rest_behind(rules, p, still)
     if rest == NONE:

@@ -1,12 +1,12 @@
 """Which phase follows an event: one whose demands hold just after it.
 
-A phase ends where its event happens or one of its demands would be violated next.  The law of
-the switch is that of the event; a demand that ends where the event of another phase of the same
-equation happens has the law of that.  A phase that is held behind a jump of the velocity at
-a place is a rest there: it is entered by a jump that leaves no velocity or by infinitely many.
+A phase ends at its event, or where one of its demands would be violated next.  The switch has
+the law of the event; where a demand ends the phase, that of the phase of the same equation with
+its event on the same surface.  A held phase behind a jump of the velocity at a place is a rest
+there: it is entered by a jump that leaves no velocity, or by infinitely many jumps.
 
-Functions over `Rules` and states: plain Python, or compiled by numba.  They are the rules of
-bodies as well: what looks into a state is in `state`, or in `bodies.rules`.
+Functions over `Rules` and states: plain Python, or compiled by numba.  They serve bodies as
+well: the functions that look into a state are in `state`, or in `bodies.state`.
 """
 
 from . import column
@@ -35,10 +35,10 @@ def first_phase(rules: Rules, state: AnyState) -> int:
 
 
 def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyState) -> int:
-    """Return the phase that follows on a surface, from the state behind the switch.
+    """Return the phase that follows phase p, which ended on a surface; `NONE` if none does.
 
-    The one that the scene declares does not follow where the state `before` the switch is not
-    one that the event demands; `NONE` if none follows.
+    `state` is the state behind the switch.  The phase that the scene declares to follow is
+    skipped if the state `before` the switch violates a demand of the event.
     """
     event = rules.surfaces[rules.kinds[p, column.ROW]]
     declared = (p + 1) % len(rules.kinds) if surface == event else NONE
@@ -52,7 +52,7 @@ def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyS
 
 
 def rest_behind(rules: Rules, p: int, state: AnyState) -> int:
-    """Return the rest at a place that takes a state whose jumps have died away there."""
+    """Return the rest at a place that admits a state where jumps died away; `NONE` if none."""
     for q in rules.turns[(p + 1) % len(rules.kinds)]:
         if rules.kinds[q, column.WALL] != NONE and admits(rules, q, begun(rules, q, state)):
             return int(q)
@@ -60,7 +60,7 @@ def rest_behind(rules: Rules, p: int, state: AnyState) -> int:
 
 
 def has_rest(rules: Rules, surface: int) -> bool:
-    """Whether the scene has a rest at a place."""
+    """Whether the scene has a rest at the place of a surface."""
     for wall in rules.kinds[:, column.WALL]:
         if wall != NONE and rules.surfaces[rules.kinds[wall, column.ROW]] == surface:
             return True

@@ -1,26 +1,27 @@
 """The first zero of a polynomial on [0, 1], by its Bernstein coefficients.
 
-Where all of them are positive there is none: the polynomial is within their hull.  Elsewhere
-the interval is halved, the left half first.  Nothing is sampled, so no zero is passed over.
+Where all of them are positive there is no zero: the polynomial lies in their convex hull.
+Otherwise the interval is bisected, the left half first.  Nothing is sampled, so no zero is
+missed.
 """
 
 from math import inf
 
-#: A polynomial of degree 6: factors of its powers, or Bernstein coefficients.
+#: A polynomial of degree 6: coefficients of its powers, or Bernstein coefficients.
 Polynomial = tuple[float, float, float, float, float, float, float]
 
-#: The width to which an interval that may hold the first zero is halved.
+#: Width at which the bisection of an interval that may hold the first zero ends.
 NARROW = 2.0**-24
 
-#: Newton's steps behind them.
+#: Newton corrections after the bisection.
 STEPS = 4
 
 
 def first_zero(powers: Polynomial) -> float:
-    """Return the first zero on (0, 1] of a polynomial, by its coefficients, positive at 0.
+    """Return the first zero on (0, 1] of a polynomial that is positive at 0; inf if none.
 
-    It is not above the first zero, and as near to it as Newton's method comes; infinite if
-    there is none.
+    `powers` are its coefficients, constant first.  The value is not above the first zero, and
+    as near to it as Newton's method comes.
 
     Examples
     --------
@@ -46,13 +47,13 @@ def first_zero(powers: Polynomial) -> float:
 
 def bernstein(powers: Polynomial) -> Polynomial:
     """Return the Bernstein coefficients of a polynomial on [0, 1]."""
-    a, b, c, d, e, f, g = powers  # over binomial coefficients, their sums are in the triangle
+    a, b, c, d, e, f, g = powers  # over binomials; `halves` forms their sums
     (a, b, c, d, e, f, g), _ = halves((a, b / 6, c / 15, d / 20, e / 15, f / 6, g))
     return a, 2 * b, 4 * c, 8 * d, 16 * e, 32 * f, 64 * g
 
 
 def halves(row: Polynomial) -> tuple[Polynomial, Polynomial]:
-    """Return the Bernstein coefficients on both halves of an interval: de Casteljau's way."""
+    """Return the Bernstein coefficients on both halves of an interval, after de Casteljau."""
     a0, a1, a2, a3, a4, a5, a6 = row
     b0, b1, b2 = (a0 + a1) / 2, (a1 + a2) / 2, (a2 + a3) / 2
     b3, b4, b5 = (a3 + a4) / 2, (a4 + a5) / 2, (a5 + a6) / 2
@@ -76,7 +77,7 @@ def _polished(powers: Polynomial, start: float, width: float) -> float:
         if moved > start + 2 * width:
             break
         below = _value(powers, moved)
-        if below < 0:  # too far along an arc that falls ever faster: its chord is below it
+        if below < 0:  # too far, the arc is concave: its chord is below it
             moved = u + (moved - u) * value / (value - below)
         u = moved
     return u
