@@ -69,7 +69,7 @@ class BodyMachine(Machine):
         return regimes(self.cell, self.nodes)
 
     def window(self, p: int) -> float:
-        """Return a time of less than one oscillation in a phase; it may be infinite."""
+        """Return a third of a period of the forcing or, without one, of the slowest pole."""
         return self.regimes[p].window
 
     def still(self, angle: float) -> AnyState:

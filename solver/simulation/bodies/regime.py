@@ -45,7 +45,7 @@ class Regime:
 
     @property
     def window(self) -> float:
-        """A time of less than one oscillation, of the forcing or else of the slowest pole."""
+        """A third of a period of the forcing or, without one, of the slowest pole."""
         poles = np.abs(self.part.flow.poles)
         slow = float(poles[poles > STILL * poles.max()].min(initial=np.inf))
         return 2.0 / (self.part.flow.omega or slow)
