@@ -1,1 +1,1 @@
-"""Which exact orbits there are: lists of all of them, and why there is none."""
+"""Lists of all exact orbits of a case, and reasons why there is none."""

@@ -1,13 +1,13 @@
-"""Solutions of the exact equations of a body, listed as far as its cell allows.
+"""Solutions of the exact equations of a body: listed for up to two phases, else searched.
 
 At given durations every event is linear in the cosine and the sine of the forcing's phase.  So
 one phase has a closed form: two solutions or none.  Two phases leave one function of one
 duration, whose sign changes are scanned.  The scan is made on the slow modes alone, where the
 others answer statically; Newton's method takes each root to the whole body.
 
-Of more phases the linear response of the slow modes leads to one solution, in a small part of
-the time of the starts all around.  These follow where it is no stable orbit: first those at
-whose durations the events are nearest to happening, then all others.
+For more phases the first start is the linear response of the slow modes, which is quick.  If
+it does not lead to a stable orbit, starts on a grid follow: first those at which the events
+nearly vanish, then all others.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -30,42 +30,42 @@ from ..stability.stability import is_stable
 from .enclosure import halved
 from .one_phase import ROUNDING, on_the_circle
 
-#: Modes that are scanned with: so many, and all below so many times the forcing's frequency.
+#: Modes of the scan: at least so many, and all below so many frequencies of the forcing.
 SLOW, BELOW = 6, 6.0
 
-#: Durations of the first phase that are looked at: evenly, and closer at both ends.
+#: Numbers of durations of the first phase in the scan: evenly spaced, and near each end.
 EVENLY, AT_ENDS = 160, 40
 
-#: Durations of phases where nothing forces, as parts of the slowest period of the body.
+#: Durations tried without a forcing, relative to the longest natural period.
 PARTS = (1.0, 0.7, 0.4, 0.2, 0.1)
 
-#: Shortest duration that is looked at, as a part of the cell.
+#: Shortest duration in the scan, relative to the cell.
 SHORTEST = 1e-6
 
-#: Halvings of what is between two durations to where Newton's method begins.
+#: Bisections of an interval of durations before Newton's method.
 HALVINGS = 24
 
-#: Entries of the maps of states that are kept at once.
+#: Largest number of entries of all phase maps of one block of the scan.
 ROOM = 2_000_000
 
-#: Differences of times, as parts of the cell, below which two solutions are one.
+#: Difference of times, relative to the cell, below which two solutions are the same.
 SAME = 1e-7
 
-#: Least size by which events are divided.
+#: Least divisor of events.
 TINY = 1e-300
 
-#: At how many times of one phase its size is seen; and the turn of a pole over it from which
-#: on rounding grows with that.
+#: Times at which the size of one phase is evaluated; the angle that a pole turns over it above
+#: which rounding errors grow with that angle.
 FEW, FAST = 8, 1e3
 
-#: How far Newton's method may lead from a solution in closed form, as a part of the cell.
+#: How far Newton's method may move from a solution in closed form, relative to the cell.
 NEAR = 1e-6
 
 
 def solutions(case: Case) -> Iterator[ExactOrbit]:
     """Yield solutions of the exact equations of a body, orbits or not, each once.
 
-    Where a group of starts leads to a stable orbit, those that are less likely are left out.
+    After a group of starts that has led to a stable orbit, the less likely ones are skipped.
     """
     found: list[ExactOrbit] = []
     for group in _starts(case.cell):  # type: ignore[arg-type]
@@ -79,9 +79,9 @@ def solutions(case: Case) -> Iterator[ExactOrbit]:
 
 
 def complete(cell: BodyCell, found: Sequence[ExactOrbit]) -> bool:
-    """Whether all solutions of a cell are found: those of one phase under a forcing.
+    """Whether `found` has all solutions of a cell, which can be shown for one forced phase.
 
-    In a resonance closing and event may not fix its state: then there are infinitely many.
+    False in a resonance in which periodicity and event leave the state undetermined.
     """
     if not cell.forced or len(cell.phases) > 1:
         return False
@@ -98,10 +98,10 @@ def listed(cell: BodyCell) -> bool:
 
 
 def _of_one_phase(cell: BodyCell) -> tuple[list[float], bool]:
-    """Return at which phases of the forcing a cell of one phase closes and ends by its event.
+    """Return the phases of the forcing at which one phase is periodic and ends by its event.
 
-    These are linear conditions on its state, cos and sin.  Also whether the angles are all, and
-    the state at each is one.
+    These are linear conditions on state, cos and sin.  The second value is whether these
+    angles are all, with one state each.
     """
     (part,), here = parts_of(cell), later(cell.omega * cell.duration)
     ways = phase_map(part, cell.duration * np.linspace(0, 1, FEW + 1)[1:])
@@ -170,7 +170,7 @@ def _starts(cell: BodyCell) -> Iterator[Iterable[RoughTimes]]:
 
 
 def _likely(cell: BodyCell, others: list[RoughTimes]) -> Iterator[RoughTimes]:
-    """Yield rough times nearest to the events among those of all angles; keep the others."""
+    """Yield the starts whose events are nearest to zero; append the rest to `others`."""
     quick = slow(cell)
     for durations, starts in groupby(rough_times(cell), key=lambda start: start.durations):
         around = list(starts)
@@ -185,7 +185,7 @@ def _likely(cell: BodyCell, others: list[RoughTimes]) -> Iterator[RoughTimes]:
 
 
 def _everywhere(cell: BodyCell) -> Iterator[RoughTimes]:
-    """Yield rough durations where nothing forces: long and short against the slowest mode."""
+    """Yield rough durations without a forcing, long and short relative to the slowest mode."""
     slowest = 2 * np.pi / float(np.sqrt(np.abs(cell.body.squares).min() or 1.0))
     for durations in product(PARTS, repeat=min(len(cell.phases), 2)):
         more = durations + (PARTS[-1],) * (len(cell.phases) - 2)
@@ -193,7 +193,7 @@ def _everywhere(cell: BodyCell) -> Iterator[RoughTimes]:
 
 
 def _angles(a: float, b: float, c: float) -> list[float]:
-    """Return the two angles at which ``a cos + b sin + c`` vanishes, or none."""
+    """Return the two zeros of ``a cos + b sin + c``, or none."""
     size = float(np.hypot(a, b))
     if size <= abs(c):
         return []
@@ -202,7 +202,7 @@ def _angles(a: float, b: float, c: float) -> list[float]:
 
 
 def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
-    """Yield the times at which both events of two phases vanish, of the slow modes."""
+    """Yield the times at which both events of two phases vanish, for the slow modes."""
     quick = slow(cell)
     even = np.linspace(0, 1, EVENLY + 2)[1:-1]
     close = np.geomspace(SHORTEST, even[0], AT_ENDS, endpoint=False)
@@ -246,7 +246,7 @@ def _symmetric(cell: BodyCell) -> Iterator[RoughTimes]:
 
 
 def _both(cell: BodyCell, parts: Vector) -> Matrix:
-    """Return both events at durations of the first phase, each divided by its size.
+    """Return both events at durations of the first phase, each divided by its largest factor.
 
     Shape (T, 2, 3).
     """
@@ -257,10 +257,10 @@ def _both(cell: BodyCell, parts: Vector) -> Matrix:
 
 
 def in_one_phase(cell: BodyCell, p: int) -> tuple[float, float, bool] | None:
-    """Return between which places the first contact moves in a phase for ever, if it does.
+    """Return the extremes of the first contact in the forced response of phase p alone.
 
-    And whether it comes back to that.  None if a demand of the phase is not kept, or nothing
-    holds the body.
+    The third value is whether that is stable.  None if it violates a demand of the phase, or
+    the body moves freely.
     """
     part, phase = parts_of(cell)[p], cell.phases[p]
     A, inputs, rows = part.lawful.A, part.lawful.inputs, part.lawful.rows

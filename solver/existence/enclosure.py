@@ -26,17 +26,17 @@ Function = Callable[[Matrix], Matrix]
 #: Degree of an interpolant; its last coefficients, as a part of the largest, once resolved.
 DEGREE, LAST, RESOLVED = 24, 3, 1e-12
 
-#: What may be rounding of the functions: where halving a piece does not lower last coefficients
-#: of this size by a factor, nothing is left to resolve, and they count as the error.
+#: Size of last coefficients that may be rounding, and the factor by which halving a piece must
+#: reduce them: if it does not, they are taken as the error of the interpolant.
 NOISE, LOWER = 1e-4, 4.0
 
-#: Most pieces, and most parts of pieces at a time; more are not looked at.
+#: Most pieces, and most parts of pieces at a time.
 MOST_PIECES, MOST_PARTS = 600, 4000
 
-#: Halvings of a piece until it is resolved, of a part until it is given up, of one with a root.
+#: Most bisections: of a piece until it is resolved, of a part, of a part with one root.
 SHORTEST, DEEPEST, HALVINGS = 12, 40, 48
 
-#: Distance, as a part of their place, below which doubtful intervals are one.
+#: Relative distance below which doubtful intervals are joined.
 BESIDE = 1e-9
 
 #: How much larger the error of an interpolant may be than its last coefficients.
@@ -45,7 +45,7 @@ FACTOR = 8.0
 
 @dataclass(frozen=True)
 class Roots:
-    """What there is of roots: their places, and the signs of D there: ``D = sign * R``.
+    """The roots: their places, and the signs of D there, ``D = sign * R``.
 
     Places are right to about 1e-12 of the distance from the nearer end.  In `doubtful`
     intervals, shape (n, 2), there may be others, or none; `resolved` says whether the functions
@@ -59,7 +59,7 @@ class Roots:
 
     @property
     def complete(self) -> bool:
-        """Whether there are no roots but those that were found."""
+        """Whether all roots were found."""
         return self.resolved and not len(self.doubtful)
 
 
@@ -116,12 +116,12 @@ def _pieces(function: Function, edges: Vector) -> Pieces:
 
 
 def _values(C: Matrix, w: Vector) -> Matrix:
-    """Return interpolants, one a row of coefficients, each at a place of its own."""
+    """Return the values of interpolants, a row of coefficients each, each at its own place."""
     return np.asarray(np.einsum("fnk,nk->fn", C, chebyshev.chebvander(w, C.shape[2] - 1)))
 
 
 def _isolated(parts: Pieces) -> tuple[Indices, Vector, Vector, Matrix]:
-    """Return parts with one root at most of each equation, and intervals that are doubtful."""
+    """Return parts with at most one root of each equation, and doubtful intervals."""
     C, F = parts.coefficients, _difference(parts.coefficients)
     rates, rate_F = _derivative(C, 1), _derivative(F, 1)
     bends = np.abs(_derivative(C, 2)).sum(axis=2)
@@ -207,7 +207,7 @@ def _above(sign: float, C: Matrix, w: Vector) -> Vector:
 def halved(
     side: Callable[[Vector], Vector], low: Vector, high: Vector, halvings: int
 ) -> Vector:
-    """Return where in each of several intervals a function is no more what it is at `low`."""
+    """Return by bisection where `side` changes from its value at `low`, by interval."""
     begin = side(low)
     for _ in range(halvings):
         middle = (low + high) / 2

@@ -25,11 +25,11 @@ from ..scenes.orders import OrderedScene
 from ..stability.stability import is_stable
 from . import bodies, one_phase, two_phases
 
-#: Differences of times, as parts of a cell, below which two solutions are one.
+#: Difference of times, relative to a cell, below which two solutions are the same.
 SAME = 1e-11
 
-#: How far Newton's method may lead from a root, as a part of a cell, to what is the same; and
-#: what two orbits that are one may differ by in the phase of the forcing.
+#: How far Newton's method may move from a root, relative to a cell, to the same solution;
+#: difference in the phase of the forcing of two orbits that are the same.
 NEAR = 1e-6
 
 
@@ -40,15 +40,15 @@ class Known:
     Parameters
     ----------
     orbits : tuple of ExactOrbit
-        Those that are orbits, the stable ones first.
+        The admissible ones, the stable ones first.
     refused : tuple of ExactOrbit
-        Those that violate an inequality.
+        Those that violate a demand.
     complete : bool
-        Whether it is shown that there are no others.
+        Whether it is proved that there are no others.
     infinite : bool
-        Whether there are infinitely many, none isolated.
+        Whether there are infinitely many, none of them isolated.
     listed : bool
-        Whether they were listed, as far as float64 allows: no blind search finds more.
+        Whether they were listed, as far as float64 allows: a search from a grid finds no more.
     """
 
     orbits: tuple[ExactOrbit, ...] = ()
@@ -59,7 +59,7 @@ class Known:
 
     @property
     def none(self) -> bool:
-        """Whether it is shown that there is no orbit."""
+        """Whether it is proved that there is no orbit."""
         return self.complete and not self.orbits
 
 
@@ -109,14 +109,14 @@ def known_orbits(case: Case) -> list[ExactOrbit]:
 
 
 def others(orbit: ExactOrbit) -> list[ExactOrbit]:
-    """Return the orbits of the same oscillator, of any motion, that are known beside one."""
+    """Return the other known orbits of the same oscillator, of any motion."""
     return [other for other in known_orbits(orbit.case.whole) if not are_one(orbit, other)]
 
 
 def are_one(orbit: ExactOrbit, other: ExactOrbit) -> bool:
-    """Whether two orbits of an oscillator are one, with whichever of its phases it begins.
+    """Whether two orbits are the same, whichever phase each begins with.
 
-    The same motion at another phase of the forcing is another one.
+    The same motion at another phase of the forcing is a different orbit.
     """
     phases, rate = other.phases, other.case.cell.omega / other.case.units.time
     if len(phases) != len(orbit.phases):
@@ -130,7 +130,7 @@ def are_one(orbit: ExactOrbit, other: ExactOrbit) -> bool:
 
 
 def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:
-    """Return orbits in their order, but for the stable ones, which come first."""
+    """Return orbits in their order, except that stable ones come first."""
     orbits = list(orbits)
     return orbits if len(orbits) < 2 else sorted(orbits, key=lambda q: is_stable(q) is not True)
 
@@ -143,14 +143,14 @@ def _sorted(found: Iterable[ExactOrbit], complete: bool) -> Known:
 
 
 def _is_none(solution: ExactOrbit) -> bool:
-    """Whether a solution that is refused is shown not to be an orbit."""
+    """Whether a refused solution certainly violates a demand."""
     if is_seen_violated(solution):
         return True
     return any(not isinstance(why, Undecided) for why in solution.violations)
 
 
 def _apart(orbit: ExactOrbit, durations: tuple[float, ...], angle: float) -> float:
-    """Return how far the times of a solution are from others, as a part of the cell."""
+    """Return the distance of the times of a solution from given ones, relative to the cell."""
     if not orbit.outcome.converged:
         return math.inf
     return times_apart(orbit, durations, angle)

@@ -1,4 +1,4 @@
-"""All solutions of the exact equations where something forces and a cell is one free phase.
+"""All solutions of the exact equations of a forced cell of one free phase.
 
 The duration of the phase is known.  With ``C = cos phi`` and ``S = sin phi`` of the forcing at
 its start the end of the phase is linear in ``u = (x, x', C, S)``, and so are all conditions:
@@ -15,19 +15,19 @@ from ..arrays import Vector
 from ..scenes.cell import Cell
 from .two_phases import rows
 
-#: What is rounding of singular values, and of residuals, as a part of the largest.
+#: Size of singular values and residuals that are rounding, relative to the largest.
 ROUNDING = 1e-11
 
-#: Size of a solution that is none, over that of the motion.
+#: Size of a spurious solution, relative to the motion.
 FAR = 1e12
 
 
 @dataclass(frozen=True)
 class Solutions:
-    """Displacement and velocity where the phase starts, and the phase of the forcing.
+    """Solutions: displacement, velocity and phase of the forcing at the start, without units.
 
-    Without units; `found` is empty if there are infinitely many, shown to be `none`, or neither
-    can be told.
+    `found` is empty if there are infinitely many, if there is provably `none`, or if neither
+    can be decided.
     """
 
     found: tuple[tuple[float, float, float], ...]

@@ -1,4 +1,4 @@
-"""What is said where no orbit is found: that there is none, or what moves instead."""
+"""Explanations where no orbit is found: a proof, or the motion that there is instead."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -15,20 +15,20 @@ from . import two_phases
 from .bodies import in_one_phase
 from .known import Known, known
 
-#: Solutions that are told of.
+#: Most refused solutions that are described.
 TOLD = 3
 
-#: How far the ratio of two frequencies may be from a whole number, as a part of it.
+#: Relative distance of the ratio of two frequencies from a whole number that is rounding.
 NEAR = 1e-9
 
 
 def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
-    """Return that there is no orbit, where that is shown: see `known`.
+    """Return a `NoOrbit` with a proof that there is none, if there is one: see `known`.
 
     Parameters
     ----------
     tried : iterable of str
-        What searches came to: of that, what simulations settle on is repeated.
+        What searches led to; what simulations settle on is repeated from it.
     """
     found = known(case)
     if not found.none:
@@ -46,7 +46,7 @@ def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
 
 
 def _no_solution(case: Case) -> str:
-    """Return in words why, or that, the equations of a case have no solution."""
+    """Return in words that the equations have no solution, and why if that is known."""
     first, *others = case.cell.phases
     words = "its equations have no real solution"
     if others:
@@ -68,7 +68,7 @@ def _refusals(found: Known) -> tuple[str, ...]:
 
 
 def not_decided(case: Case) -> Iterator[str]:
-    """Yield why the solutions of the exact equations are not all known, where they may be."""
+    """Yield reasons why a list of solutions is not complete."""
     found = known(case)
     if case.scene.has_body:
         yield from _refusals(found) if found.refused else ("no solution was found",)
@@ -89,7 +89,7 @@ def not_decided(case: Case) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class WithoutSwitches:
-    """A periodic motion that stays in one phase: its response to the forcing.
+    """A periodic motion without switches: the response of one phase to the forcing.
 
     From `least` to `largest` displacement in m; `stable` is None where perturbations last.
     """
@@ -119,7 +119,7 @@ class WithoutSwitches:
 
 
 def motions_without_switches(case: Case) -> list[WithoutSwitches]:
-    """Return the motions of a case that stay in one phase for ever, of any of its motions."""
+    """Return the motions of a case without switches, for phases of all its motions."""
     found = {}
     for each in case.each_motion:
         cell = each.cell
@@ -135,7 +135,7 @@ def motions_without_switches(case: Case) -> list[WithoutSwitches]:
 
 
 def without_switches(case: Case) -> Iterator[str]:
-    """Yield what a mass does that moves in one phase for ever, where that explains something.
+    """Yield in words how a mass moves in one phase for ever, where that is an explanation.
 
     In resonance its amplitude has no bound; or the response to the forcing stays within what
     the phase demands, and is itself a periodic motion, one without switches.
@@ -147,7 +147,7 @@ def without_switches(case: Case) -> Iterator[str]:
 
 
 def _order_of_resonance(case: Case, phase: Phase) -> int:
-    """Return n where an undamped phase has n times the frequency of the forcing; else 0."""
+    """Return n if an undamped phase has n times the frequency of the forcing; else 0."""
     if phase.c != 0 or phase.k <= 0:
         return 0
     ratio = math.sqrt(phase.k / phase.m) / case.cell.omega
@@ -169,9 +169,9 @@ def _resonance(case: Case, phase: Phase) -> str:
 
 
 def _within(case: Case, phase: Phase) -> tuple[float, float, bool | None] | None:
-    """Return between which places the mass moves in a phase for ever, if its demands allow.
+    """Return the extremes of the response of a phase to the forcing, if its demands allow it.
 
-    And whether that is stable; None where perturbations last.
+    The third value is whether it is stable; None where perturbations last.
     """
     if isinstance(case.cell, BodyCell):
         return in_one_phase(case.cell, case.cell.phases.index(phase))

@@ -1,4 +1,4 @@
-"""All solutions of the exact equations where something forces and a cell is two phases.
+"""All solutions of the exact equations of a forced cell of two phases.
 
 The cell is as long as the forcing makes it, so one duration s says both.  At given durations
 all conditions are linear in the states, in the memory and in ``C = cos phi`` and
@@ -27,14 +27,14 @@ from ..flow.divided import of_three_at, of_two_at
 from ..scenes.cell import Cell, Phase
 from . import enclosure
 
-#: Shortest duration of a phase that is looked at, as a part of the cell; the length of a piece
-#: over that of its neighbour nearer to the end.
+#: Shortest duration of a phase that is examined, relative to the cell; ratio of the lengths of
+#: neighbouring pieces near an end.
 SHORTEST, LONGER = 1e-10, 3.0
 
-#: Most intervals that are doubtful and tried all the same; halvings of each.
+#: Most doubtful intervals from which Newton's method is tried; bisections of each.
 DOUBTFUL, HALVINGS = 6, 40
 
-#: What is rounding of the equation; of determinants that vanish.
+#: Rounding of the equation; of determinants that vanish.
 ROUNDING, NOTHING = 1e-11, 1e-14
 
 
@@ -85,9 +85,9 @@ def solutions(cell: Cell) -> Solutions:
 
 
 def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
-    """Return one place of each interval, where ``|D| - R`` changes its sign, or the middle.
+    """Return one place in each interval: where ``|D| - R`` changes its sign, else the middle.
 
-    The former come first, of them and of the others those of the longest phases.
+    The former come first, each group ordered by descending length of the phases.
     """
 
     def above(s: Vector) -> Vector:
@@ -105,9 +105,9 @@ def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
 
 
 def vanishing(cell: Cell) -> list[Phase]:
-    """Return the phases that last no time in a limit which satisfies the equations to rounding.
+    """Return the phases of zero duration in a limit that satisfies the equations to rounding.
 
-    Or in a solution: those that are shorter there than is looked at.
+    Also those shorter than `SHORTEST` in a solution.
 
     Examples
     --------
@@ -128,9 +128,9 @@ def vanishing(cell: Cell) -> list[Phase]:
 
 
 def _shorter(cell: Cell) -> Vector:
-    """Return of each phase whether it is shorter in a solution than is looked at.
+    """Return for each phase whether a solution has it shorter than `SHORTEST`.
 
-    The equation has another sign there than where the phase lasts no time.
+    The equation changes its sign between duration 0 and `SHORTEST`.
     """
     first = cell.duration * np.array([[0, SHORTEST], [1, 1 - SHORTEST]])
     with np.errstate(all="ignore"):
