@@ -1,8 +1,8 @@
-"""The exact equations of a cell of a body: unknown are the durations and the forcing's phase.
+"""The exact equations of a cell of a body, for the durations and the phase of the forcing.
 
 At given times everything else is linear: the flow of each phase in its eigenbasis, the
-switches, and periodicity, ``X(0) = sigma X(T)`` for the state with its memory.  What is left is
-one equation an event, and the length of the cell.
+switches, and periodicity, ``X(0) = sigma X(T)`` for the state with its memory.  There remain
+one equation for each event, and the length of the cell.
 """
 
 from dataclasses import dataclass
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
 
-#: Part of the condition of an eigenbasis that its digits are lost by, at most.
+#: The rounding error in an eigenbasis is at most this part of its condition, in units of eps.
 LOST = 1 / 32
 
-#: What a state may be, by what is added to it on the way round, at most: beyond, it is rounding
-#: over rounding, in a direction in which closing says nothing.
+#: Largest ratio of a periodic state to the inhomogeneity of the map over a cell.  Beyond, it is
+#: a quotient of rounding errors, in a direction that periodicity does not determine.
 UNBOUNDED = 1e12
 
 
 @dataclass(frozen=True, eq=False)
 class Evaluation:
-    """What the times of a cell say.
+    """The exact equations at given times.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ Maps = list[tuple[Matrix, Matrix]]
 
 
 def _through(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix]:
-    """Return what a cell makes of where it begins, and what the first `wave` adds to that."""
+    """Return the affine map over a cell: of the state at its start, and of the first `wave`."""
     passed, offset = [], np.zeros_like(maps[0][1])
     for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
         closing = part.closing
@@ -62,9 +62,9 @@ def _through(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matri
 
 
 def _closed(closed: Matrix, offset: Matrix) -> Matrix:
-    """Return where a cell begins that closes, by what is added to it on the way.
+    """Return the periodic state, from the matrix and the inhomogeneity of the map over a cell.
 
-    Not numbers where nothing holds the body.
+    NaN where periodicity does not determine it, as of a body that moves freely.
     """
     try:
         found = np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset)
@@ -103,7 +103,7 @@ def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
 def _passed(
     cell: "BodyCell", maps: Maps, times: Vector, X: Vector, X_by: Matrix
 ) -> tuple[Vector, Matrix, Matrix, Matrix]:
-    """Pass a cell from a state at its beginning on, with derivatives by the times.
+    """Follow a state through a cell, with its derivatives by the times.
 
     Returns
     -------
@@ -156,9 +156,10 @@ def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
 
 
 def left_open(cell: "BodyCell", times: Vector) -> float:
-    """Return how far from closed a cell is at times of its events, as a part of its states.
+    """Return by how much the state at given times is not periodic, relative to its size.
 
-    Switches shift ways that closing does not see: there is no orbit where that is no rounding.
+    The switches of `parts_of` shift directions that periodicity does not determine.  Where the
+    shift is more than rounding, there is no orbit.
     """
     starts, part = evaluated(cell, times).starts, parts_of(cell)[-1]
     theta, s = angles_of(cell, times), float(times[len(cell.phases) - 1])
@@ -194,10 +195,10 @@ def seen(cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix) -> Ma
 
 
 def magnitudes(cell: "BodyCell", times: Vector, p: int) -> Vector:
-    """Return what forms add up where a phase begins, each term without its sign.
+    """Return the sums of the moduli of the terms of forms at the start of a phase.
 
-    That is over the modes and what drives them.  Where two poles of the phase are almost one,
-    it is over these, and more: their vectors lose digits by the condition of the basis.
+    The terms are those by modes and inputs.  Where two poles nearly coincide, they are those by
+    poles, times the digits that the condition of the eigenbasis costs.
     """
     part, found = parts_of(cell)[p], evaluated(cell, times)
     rows, states = part.lawful.rows, part.lawful.A.shape[0]
@@ -210,7 +211,7 @@ def magnitudes(cell: "BodyCell", times: Vector, p: int) -> Vector:
 
 
 def event_sizes(cell: "BodyCell", times: Vector) -> Vector:
-    """Return what the event of each phase adds up where it ends, each term without its sign."""
+    """Return the sum of the moduli of the terms of the event at the end of each phase."""
     theta, starts = angles_of(cell, times), evaluated(cell, times).starts
     found = np.empty(len(starts))
     for p, (part, s) in enumerate(zip(parts_of(cell), times, strict=False)):

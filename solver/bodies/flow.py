@@ -18,16 +18,16 @@ ONE = (
     "by a millionth of it), or of one that hardly anything holds"
 )
 
-#: Most that a vector is turned by what rounding left of it: where it is more, poles are one.
+#: Largest correction of an eigenvector; where it is larger, two poles are taken as one.
 TURN = 1e-6
 
-#: Least turn or decay, over a phase, of a pole against what drives it.
+#: Least ``|i omega - s| t`` for which the steady answer of a pole s keeps its digits.
 CLEAR = 0.1
 
-#: Exponent at which a mode has decayed to nothing; less would be slow, denormal numbers.
+#: Exponent below which a mode is taken as decayed: denormal numbers are slow.
 GONE = -300.0
 
-#: Where ``(e^z - 1 - z)/z^2`` is a series, and of how many terms.
+#: Modulus up to which ``(e^z - 1 - z)/z^2`` is summed as a series, and its terms.
 NEAR, TERMS = 0.1, 10
 
 
@@ -35,8 +35,8 @@ NEAR, TERMS = 0.1, 10
 class Flow:
     """``y' = A y + inputs (cos, sin, 1, memory)`` in the eigenbasis of A.
 
-    Where nothing holds the body, its velocity moves a place: ``z_i' = z_(i + free) + inputs``
-    for i below `free`, and the poles of both are 0.
+    A rigid-body mode has a double pole 0 with a Jordan block: ``z_i' = z_(i + free) + inputs``
+    for i below `free`.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class Flow:
     omega : float
         Angular frequency of cos and sin.
     free : int
-        In how many ways nothing holds the body.
+        The number of rigid-body modes.
     """
 
     poles: Complex
@@ -72,17 +72,17 @@ class Flow:
         return np.asarray(found)
 
     def driven(self, t: float | Vector) -> Matrix:
-        """Return what the inputs make of rest in a time; shape (..., n, 3 + M), by input.
+        """Return the responses of the state at rest to each input; shape (..., n, 3 + M).
 
-        The first two columns are by the cosine and the sine of the angle that the forcing has
-        at the beginning: their sum with these as factors is the answer to the forcing.
+        The first two are to the cosine and the sine of the phase that the forcing has at the
+        start.
         """
         half = self.upper
         return np.asarray((half.basis @ half.answered(half.drives, np.asarray(t))).real)
 
     @np.errstate(over="ignore", invalid="ignore")
     def answered(self, drives: Complex, t: Vector) -> Complex:
-        """Return what drives, as `drives` are, make of rest; shape (..., n, k) by (3, n, k)."""
+        """Return the responses of z at rest to `drives`; shape (..., n, k) for (3, n, k)."""
         waves = np.array([self.omega, -self.omega, 0.0])
         along = steady(self.poles, waves[:, None], t[..., None, None])
         found = np.einsum("wnk,...wn->...nk", drives, along)
@@ -92,15 +92,15 @@ class Flow:
         return np.asarray(found)
 
     def moved(self, start: Complex, drives: Complex, t: Vector) -> Complex:
-        """Return z at times, by its start and what drives it, (3, n); shape (n, len(t))."""
+        """Return z at times, from its initial value and drives (3, n); shape (n, len(t))."""
         found = start[:, None] * np.exp(self.poles[:, None] * t)
         found[: self.free] += start[self.free : 2 * self.free, None] * t
         return np.asarray(found + self.answered(drives[..., None], t)[..., 0].T)
 
     def seen(self, rows: Matrix, y: Vector, inputs: Vector, t: Vector) -> Matrix:
-        """Return linear forms of the state at times from its start; shape (len(rows), len(t)).
+        """Return linear forms of the state at times, from its initial value.
 
-        `inputs` are the cosine and the sine at the start, 1 and the memory.
+        Shape (len(rows), len(t)); `inputs` are cosine and sine at the start, 1, the memory.
         """
         half = self.upper
         basis, start = rows @ half.basis, half.inverse @ y
@@ -110,7 +110,7 @@ class Flow:
 
     @cached_property
     def upper(self) -> "Flow":
-        """The poles of which real parts are taken: one of each pair, twice."""
+        """The poles with one of each pair, its vector doubled: the real part is the state."""
         kept = self.poles.imag >= 0
         double = np.where(self.poles[kept].imag > 0, 2.0, 1.0)
         basis = self.basis[:, kept] * double
@@ -121,13 +121,13 @@ class Flow:
 
     @cached_property
     def condition(self) -> float:
-        """How many times the digits of its vectors are those of a state: 1 at least."""
+        """The condition number of the basis in the Frobenius norm, over n; at least 1."""
         norms = np.linalg.norm(self.basis) * np.linalg.norm(self.inverse)
         return float(norms) / max(len(self.poles), 1)
 
     @cached_property
     def drives(self) -> Complex:
-        """What each input drives each pole by, shape (3, n, 3 + M).
+        """The drive of each pole by each input, shape (3, n, 3 + M).
 
         As factors of ``e^(i omega t)``, ``e^(-i omega t)`` and 1.
         """
@@ -138,12 +138,12 @@ class Flow:
         return found
 
     def is_clear(self, longest: float) -> bool:
-        """Whether no pole is near what drives it: then steady answers keep their digits."""
+        """Whether no pole is near 0 or +-i omega, so that steady answers keep their digits."""
         driven = np.array([0.0, self.omega, -self.omega])
         return bool(np.abs(1j * driven - self.poles[:, None]).min() * longest >= CLEAR)
 
     def _clear(self, basis: Complex, start: Complex, inputs: Vector, t: Vector) -> Matrix:
-        """Return forms of the state by steady answers and what of the start decays."""
+        """Return forms of the state by steady answers and a decaying part."""
         half, other, one = self.drives @ inputs
         up, down = (
             half / (1j * self.omega - self.poles),
@@ -163,7 +163,7 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
     Raises
     ------
     BodyError
-        If its eigenvectors are too near to each other.
+        If two eigenvectors are nearly parallel.
     """
     free, rest = lawful.free, np.eye(len(lawful.A))
     if free.shape[1]:
@@ -190,7 +190,7 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
 
 
 def _inverse(poles: Complex, basis: Complex) -> Complex:
-    """Return the inverse of an eigenbasis: its pairs stay pairs, with the digits of both."""
+    """Return the inverse of an eigenbasis, computed with real and imaginary parts of pairs."""
     above, below = np.flatnonzero(poles.imag > 0), np.flatnonzero(poles.imag < 0)
     real = basis.real.copy()
     real[:, below] = basis[:, above].imag
@@ -201,11 +201,11 @@ def _inverse(poles: Complex, basis: Complex) -> Complex:
 
 
 def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Complex]:
-    """Return eigenvalues and vectors with the digits that their own sizes allow.
+    """Return eigenvalues and vectors with small relative errors, whatever their sizes.
 
-    Those of a matrix of many sizes come with the rounding of the largest, or where parts are
-    coupled by rounding alone, with its square root.  What is left of ``A v - s v``, where the
-    slow ones have hardly a part in the quick rows, corrects them as far as it is no rounding.
+    `eig` errs by the rounding of the largest eigenvalue or, where parts are coupled by rounding
+    only, by its square root.  One step of correction by the residual ``A v - s v`` mends that,
+    where the residual is more than rounding.
     """
     try:
         inverse = np.linalg.inv(vectors)
@@ -225,7 +225,7 @@ def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Comple
 
 
 def steady(poles: Complex, omega: float | Vector, t: float | Vector) -> Complex:
-    """Return ``int_0^t e^(s (t - r)) e^(i omega r) dr``, at a resonance as well."""
+    """Return ``int_0^t e^(s (t - r)) e^(i omega r) dr``, accurate also near a resonance."""
     apart = 1j * omega - poles
     turned, decayed = apart * t, np.exp(poles * t)
     small = np.abs(turned) < 1.0
@@ -237,7 +237,7 @@ def steady(poles: Complex, omega: float | Vector, t: float | Vector) -> Complex:
 
 
 def twice(omega: float, t: Vector) -> Complex:
-    """Return ``int_0^t (t - r) e^(i omega r) dr``: places that velocities are given to."""
+    """Return ``int_0^t (t - r) e^(i omega r) dr``, the response of a rigid-body mode."""
     if omega == 0:
         return np.asarray(t * t / 2, dtype=complex)
     z = 1j * omega * t

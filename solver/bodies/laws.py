@@ -1,7 +1,7 @@
-"""A body under the laws of its contacts in one phase: what is seen of its state.
+"""A body in one phase, with the contact forces by their laws.
 
 The state is ``y = (w eta, eta')`` of each mode, scaled so that both parts are velocities; w is
-the mode's frequency.  What a linear form is of, and the contact forces that the laws give, are
+the mode's frequency.  The variables of linear forms, and the contact forces by their laws, are
 rows over ``Y = (y, cos, sin, 1, memory)``.
 """
 
@@ -25,10 +25,10 @@ RETURN = 1.0
 #: By what a mode that moves freely is scaled where nothing forces, as a part of the fastest.
 SLOWEST = 1e-3
 
-#: What laws or dampers may see, as a part, of a way in which nothing holds a body.
+#: Relative size of the stiffness or damping of a rigid-body mode that is rounding.
 HELD = 1e-12
 
-#: What the determinant of the laws may be, as a part of its size, where they give no force.
+#: Relative size of the determinant of laws that do not determine the forces.
 SINGULAR = 1e-13
 
 
@@ -85,7 +85,7 @@ class Lawful:
 
 
 def places(contacts: int) -> tuple[list[int], list[int], list[int], list[int]]:
-    """Return where x, v, force and a of each contact are in a form.
+    """Return the positions of x, v, force and a of each contact in a form.
 
     Examples
     --------
@@ -102,14 +102,14 @@ def places(contacts: int) -> tuple[list[int], list[int], list[int], list[int]]:
 
 
 def scales(body: Modal, omega: float) -> Vector:
-    """Return the frequency by which each mode is scaled: smooth along every parameter."""
+    """Return the frequency by which each mode is scaled, a smooth function of parameters."""
     own = np.sqrt(np.abs(body.squares))
     return np.hypot(own, omega or SLOWEST * float(own.max()))
 
 
 @lru_cache(maxsize=64)
 def added(body: Modal) -> Matrix:
-    """Return what the contact forces add to what forms are of; shape (S, c)."""
+    """Return the factors of the contact forces in the variables of forms; shape (S, c)."""
     contacts = body.at.shape[1]
     x, _, f, a = places(contacts)
     found = np.zeros((2 + 4 * contacts, contacts))
@@ -119,7 +119,7 @@ def added(body: Modal) -> Matrix:
 
 @lru_cache(maxsize=64)
 def free(body: Modal, omega: float, memory: int) -> Free:
-    """Return a body without its contact forces, with so many constants of memory."""
+    """Return a body without its contact forces; `memory` is the number of memories."""
     count, contacts = body.at.shape
     w, zero = scales(body, omega), np.zeros((count, count))
     A = np.block([[zero, np.diag(w)], [-np.diag(body.squares / w), -body.damping]])
@@ -169,7 +169,7 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
 
 
 def _free_ways(cell: "BodyCell", force: Matrix) -> tuple[Matrix, Matrix]:
-    """Return the places at which the body stays, and ways in which it moves freely."""
+    """Return a basis of equilibria without restoring force, and one of rigid-body motions."""
     body, m = cell.body, len(cell.body.squares)
     rigid = np.flatnonzero(body.squares == 0)
     if not len(rigid):
@@ -187,13 +187,13 @@ def _free_ways(cell: "BodyCell", force: Matrix) -> tuple[Matrix, Matrix]:
 
 
 def _unheld(rows: Matrix) -> Matrix:
-    """Return the ways that no row sees, by column."""
+    """Return an orthonormal basis of the null space, by column."""
     _, values, turns = np.linalg.svd(rows)
     return np.asarray(turns[(values > HELD).sum() :].T)
 
 
 def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vector:
-    """Return what forms are of behind a switch, by the laws of a phase.
+    """Return the variables of forms behind a switch, by the laws of a phase.
 
     Parameters
     ----------
@@ -214,7 +214,7 @@ def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vect
 
 
 def law_matrix(phase: "BodyPhase") -> Matrix:
-    """Return the laws of a phase by row; of a held contact, that it returns to its speed."""
+    """Return the laws of a phase by row; a held contact decays to its prescribed speed."""
     found = np.array(phase.laws)
     if phase.held:
         found[0] /= found[0, 5]

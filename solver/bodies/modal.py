@@ -1,9 +1,9 @@
-"""A body in its modes: what its contacts and its forcing see of it.
+"""A body in modal coordinates, as its contacts and its forcing see it.
 
-Where modes are left out, their static answer to a force at a contact is a compliance there.
-Where a force may jump, the contact would leap: there the answer is a shape beside the modes
-that are kept, with its stiffness, mass and damping: R. H. MacNeal, Computers and Structures 1
-(1971), 581-601, with the inertia of S. Rubin, AIAA Journal 13 (1975), 995-1006.
+The truncated modes are represented by their static response to contact forces, a residual
+flexibility.  Where a force may jump, the contact would leap by that.  There the static response
+is a further shape, with its stiffness, mass and damping: R. H. MacNeal, Computers and
+Structures 1 (1971), 581-601, with the inertia of S. Rubin, AIAA Journal 13 (1975), 995-1006.
 """
 
 from collections.abc import Mapping
@@ -35,8 +35,8 @@ STIFF, NEW = 1e-12, 1e-10
 class Modal:
     """A body in some shapes, ``q = Phi eta`` with ``Phi^T M Phi = I``.
 
-    They are the modes that are kept and, where a contact force may jump, what the others answer
-    statically at the contacts.
+    They are the modes that are kept and, where a contact force may jump, the static responses
+    of the others to contact forces.
 
     Parameters
     ----------
@@ -66,14 +66,14 @@ class Modal:
 
     @cached_property
     def is_proportional(self) -> bool:
-        """Whether the damping does not couple the modes."""
+        """Whether the damping matrix is diagonal in modal coordinates."""
         size = np.abs(self.damping)
         own = size.diagonal().copy()
         np.fill_diagonal(size, 0.0)
         return bool(size.max(initial=0.0) <= 1e-13 * own.max(initial=0.0))
 
     def in_units(self, mass: float, time: float, length: float) -> "Modal":
-        """Return the same body in other units, each given in those that it has."""
+        """Return the same body in other units, given in its present ones."""
         root = np.sqrt(mass)
         return Modal(
             self.squares * time**2,
@@ -94,7 +94,7 @@ class Modal:
 def modal(
     matrices: Mapping[str, Any], modes: int | None, shift: float, jumps: bool = False
 ) -> Modal:
-    """Return a body in its modes, damped by its matrix of damping alone; see `damped`.
+    """Return a body in its modes, damped by its damping matrix only; see `damped`.
 
     Parameters
     ----------
@@ -180,7 +180,7 @@ def _static_shapes(left_out: Matrix, M: Any, K: Any, kept: Vector) -> tuple[Vect
 
 
 def damped(body: Modal, ratio: float | None) -> Modal:
-    """Return a body whose every shape has a damping ratio, if one is given."""
+    """Return a body with the same damping ratio in all shapes, if one is given."""
     if ratio is None:
         return body
     return replace(body, damping=np.diag(2 * ratio * np.sqrt(np.abs(body.squares))))
@@ -189,15 +189,14 @@ def damped(body: Modal, ratio: float | None) -> Modal:
 def at_frequency(
     body: Modal, matrices: Mapping[str, Any], omega: float, modes: int | None = None
 ) -> Modal:
-    """Return a body of which what is left out answers a forcing with damping and inertia.
+    """Return a body whose truncated modes respond dynamically to the forcing.
 
-    The damping is known where its matrix is given; else the answer is static.  `modes` are
-    kept.
+    That needs the damping matrix; without one their response is static.  `modes` are kept.
 
     Raises
     ------
     BodyError
-        If the forcing is faster than all modes that are kept: others may resonate with it.
+        If the forcing is faster than all modes kept: a truncated one may be in resonance.
     """
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
@@ -217,9 +216,9 @@ def at_frequency(
 
 
 def _seen_first(at: Matrix, free: Indices) -> Matrix:
-    """Return a turn of the modes in which a body moves freely: what contacts see, comes first.
+    """Return a rotation of the rigid-body modes that puts those first which contacts see.
 
-    `at`, shape (m, c), is what they see of all modes.
+    `at`, shape (m, c), are the modes at the contacts.
     """
     found = np.eye(len(at))
     if free.any():
@@ -228,7 +227,7 @@ def _seen_first(at: Matrix, free: Indices) -> Matrix:
 
 
 def _without_unseen(body: Modal) -> Modal:
-    """Return a body without the modes in which it moves freely and nothing sees it."""
+    """Return a body without the rigid-body modes that neither contacts nor forcing see."""
     sizes, damping = np.linalg.norm(body.at, axis=1), np.abs(body.damping)
     kept = (body.squares != 0) | (sizes > UNSEEN * sizes.max())
     kept |= damping.max(axis=0) > UNSEEN * damping.max()
@@ -239,10 +238,9 @@ def _without_unseen(body: Modal) -> Modal:
 
 
 def _left_out(M: Any, shapes: Matrix, right: Matrix, shift: float, stiff: Solve) -> Matrix:
-    """Return what the modes that are left out answer statically.
+    """Return the static response of the truncated modes.
 
-    By ``1/w^2 = 1/(w^2 + shift) (1 + shift/w^2)``, repeated: K itself is singular where the
-    body moves freely.
+    By ``1/w^2 = 1/(w^2 + shift) (1 + shift/w^2)``, repeated, since K may be singular.
     """
 
     def without(q: Matrix) -> Matrix:

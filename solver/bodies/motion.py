@@ -1,4 +1,4 @@
-"""The motion of a body's contacts, its derivatives: exact, by force series or harmonics."""
+"""The motion of the contacts of a body and its derivatives: exact or by an expansion."""
 
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -25,10 +25,10 @@ ACCELERATION = places(1)[3][0]
 def signals(
     cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, functions: int | None = None
 ) -> Matrix:
-    """Return what forms are of on phase `p`, at local times in [0, 1]; shape (S, len(u)).
+    """Return the variables of forms on phase `p`, at local times in [0, 1].
 
-    The forces by their laws; `order` 0 is the exact motion.  With a number of `functions`, 0
-    or more, the motion is that of harmonics, else of the force series.
+    Shape (S, len(u)); the forces are by their laws.  `order` 0 is the exact motion.  If
+    `functions` is a number, the motion is that of harmonics, else of the force series.
     """
     u = np.asarray(u, dtype=float)
     if order == 0:
@@ -45,7 +45,7 @@ def derivative(
 ) -> Vector:  # fmt: skip
     """Return a derivative of the first contact's displacement by time on phase `p`.
 
-    Beyond the second those of the forces are by their laws, too.
+    Beyond the second, derivatives of the forces are by their laws as well.
     """
     u = np.asarray(u, dtype=float)
     if number <= 2:
@@ -83,7 +83,7 @@ def _seen(
 
 
 def memory_of(cell: "BodyCell", order: int, functions: int | None, times: Vector) -> Vector:
-    """Return what the switches of a cell set, by the force series or harmonics."""
+    """Return the memories of a cell, by the force series or harmonics."""
     if not cell.memory:
         return np.empty(0)
     if functions is None:
@@ -112,7 +112,7 @@ def _along(
 
 @lru_cache(maxsize=32)
 def _polynomials(w: bytes, degree: int) -> Matrix:
-    """Return Legendre polynomials on [0, 1]: motions are compared at the same points."""
+    """Return Legendre polynomials on [0, 1]; kept, as motions share their points."""
     return np.asarray(np.polynomial.legendre.legvander(2 * np.frombuffer(w) - 1, degree))
 
 

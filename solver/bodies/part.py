@@ -1,4 +1,4 @@
-"""The phases of a cell of a body: the laws, the flow and the switch of each, and its map."""
+"""The phases of a cell of a body: laws, flow, switch and map of each."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from .switch import Switch, fixed, switch
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
-#: Change of a state over a cell below which closing the cell does not say how large it is.
+#: Relative change of a state over a cell below which periodicity does not determine its size.
 RETURNING = 1e-7
 
 
@@ -23,8 +23,8 @@ RETURNING = 1e-7
 class Part:
     """A phase of a cell: the body under its laws, its flow, the switch that ends it.
 
-    On an orbit the event happens there, and `closing` is the same switch; it fixes places that
-    nothing else does: see `switch.fixed`.
+    `closing` is the same switch on an orbit, and determines displacements that nothing else
+    does: see `switch.fixed`.
     """
 
     lawful: Lawful
@@ -61,11 +61,11 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
 
 @lru_cache(maxsize=32)
 def shifts(cell: "BodyCell") -> tuple[Matrix, Matrix]:
-    """Return the ways to shift ``X = (y, memory)`` that closing the cell does not see.
+    """Return the directions of ``X = (y, memory)`` that periodicity does not determine.
 
-    They are columns, where a phase ends and behind its switch; `switch.fixed` says what for.
-    Of one phase under a forcing, whose duration is known, they are what returns.  Of others
-    they are of a body that moves freely, where no phase and no switch sees them.
+    By column, at the end of a phase and behind its switch, for `switch.fixed`.  For one forced
+    phase they are the states that return.  For others they are rigid-body displacements that
+    no phase and no switch sees.
     """
     if cell.forced and len(cell.phases) == 1:
         return _returning(cell)
@@ -84,10 +84,10 @@ def shifts(cell: "BodyCell") -> tuple[Matrix, Matrix]:
 
 
 def _returning(cell: "BodyCell") -> tuple[Matrix, Matrix]:
-    """Return the states that one phase of known duration and its switch bring back.
+    """Return the states that one phase of known duration and its switch map to themselves.
 
-    So where the end of the phase is; behind the switch, what no state leaves when it is taken
-    from what it comes back to.  Where every motion is damped there are none.
+    First at the end of the phase; second, behind it, the left null space of ``1 - map``.
+    If all modes are damped there are none.
     """
     body = cell.body
     by_mode = (
@@ -108,7 +108,7 @@ AtTimes = TypeVar("AtTimes", bound=Callable[..., Any])
 
 
 def kept_by_times(count: int) -> Callable[[AtTimes], AtTimes]:
-    """Return what keeps the last answers of a function of times, so many."""
+    """Return a decorator that caches the last `count` results of a function of times."""
 
     def keeping(function: AtTimes) -> AtTimes:
         @lru_cache(maxsize=count)
@@ -126,7 +126,7 @@ def kept_by_times(count: int) -> Callable[[AtTimes], AtTimes]:
 
 
 def wave(angle: float) -> Vector:
-    """Return the cosine, the sine, and 1."""
+    """Return ``(cos, sin, 1)`` of an angle."""
     return np.array([np.cos(angle), np.sin(angle), 1.0])
 
 
@@ -143,9 +143,9 @@ def angles_of(cell: "BodyCell", times: Vector) -> Vector:
 
 
 def phase_map(part: Part, s: float | Vector) -> tuple[Matrix, Matrix]:
-    """Return the map of ``X = (y, memory)`` over a phase, and what cos, sin, 1 add to it.
+    """Return the affine map over a phase: the matrices of ``X = (y, memory)`` and of `wave`.
 
-    Of several durations stacks, shape (..., n, n) and (..., n, 3).
+    Shapes (..., n, n) and (..., n, 3), stacked for several durations.
     """
     states, size = part.lawful.A.shape[0], part.switch.state.shape[0]
     driven = part.flow.driven(s)
@@ -166,7 +166,7 @@ def rates(part: Part, X: Vector, angle: float) -> Vector:
 
 
 def later(angle: float | Vector) -> Matrix:
-    """Return the matrix that turns `wave` on by an angle; of several a stack."""
+    """Return the matrix that rotates `wave` by an angle; a stack for several."""
     found = np.zeros((*np.shape(angle), 3, 3))
     found[..., 0, 0] = found[..., 1, 1] = np.cos(angle)
     found[..., 1, 0] = np.sin(angle)
@@ -175,7 +175,7 @@ def later(angle: float | Vector) -> Matrix:
 
 
 def generator_of(part: Part, omega: float) -> Matrix:
-    """Return the matrix of the rates of ``(y, cos, sin, 1, memory)`` on a phase."""
+    """Return the matrix G of ``Y' = G Y`` on a phase, Y = (y, cos, sin, 1, memory)."""
     A, inputs = part.lawful.A, part.lawful.inputs
     found = np.zeros((len(A) + inputs.shape[1],) * 2)
     found[: len(A)] = np.hstack([A, inputs])

@@ -1,9 +1,9 @@
 """A body by its poles: ``z' = s z + b force``, ``x = Re sum c z`` and the forced response.
 
-A body that moves freely has no response, and a double pole at 0; an undamped mode may repeat
-itself with the forcing.  Such a body is held at its contacts by springs and dampers, and b is
-for the contact force with what they take from it: their force is a form of the poles like any
-other, and the laws, of the contact force itself, count it in.
+A rigid-body mode has a double pole at 0 and no steady response; an undamped mode may be in
+resonance with the forcing.  Such a body is held at its contacts by auxiliary springs and
+dampers, and b is for the sum of contact and auxiliary force.  The auxiliary force is a linear
+form of the poles, and the laws, which are of the contact force, subtract it.
 """
 
 from dataclasses import dataclass
@@ -17,20 +17,20 @@ from .laws import free, places
 from .modal import Modal
 from .systems import BodyError
 
-#: How near the two real poles of a mode may be, as a part of them.
+#: Least relative distance of the two real poles of a mode.
 APART = 1e-6
 
-#: What of a pole, and of what contacts see of it, is rounding, as parts.
+#: Relative size of a pole, and of its amplitude at the contacts, that is rounding.
 STILL = 1e-11
 
-#: The spring of a contact that holds a body which moves freely, by its mass there and the
-#: square of a frequency, and the damper.
+#: Stiffness and damping of the auxiliary spring and damper at a contact, relative to the
+#: effective mass there times a frequency squared, and times that frequency.
 SPRING, DAMPER = 0.6, 0.8
 
 
 @dataclass(frozen=True, eq=False)
 class Held:
-    """What holds a body that moves freely, at its contacts; the modes left out it does not.
+    """Auxiliary springs and dampers at the contacts; they do not act on truncated modes.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class Held:
 
 @dataclass(frozen=True, eq=False)
 class Poles:
-    """The poles of a body, of each pair the one above the real axis.
+    """The poles of a body, of each pair the one in the upper half plane.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ class Poles:
 
     @cached_property
     def seen(self) -> tuple[Complex, Complex]:
-        """What forms are of, but for forces, 1 and memory: by the poles, and by the forcing."""
+        """The variables of forms by the poles and by the forcing, without forces, 1, memory."""
         contacts = self.b.shape[1]
         by_pole = np.zeros((2 + 4 * contacts, len(self.s)), dtype=complex)
         by_turn = np.zeros(len(by_pole), dtype=complex)
@@ -92,13 +92,13 @@ class Poles:
         return by_pole, by_turn
 
     def forms(self, rows: Matrix) -> "Forms":
-        """Return linear forms in terms of the poles, without what forces add to them."""
+        """Return linear forms in terms of the poles, without their parts by contact forces."""
         by_pole, by_turn = self.seen
         seen, memory = rows[:, : len(by_turn)], rows[:, len(by_turn) :]
         return Forms(seen @ by_pole, seen @ by_turn, rows[:, 3], memory)
 
     def rate(self, forms: "Forms", law: "Forms") -> "Forms":
-        """Return the derivatives of forms by time where the contact forces are by a law."""
+        """Return the time derivatives of forms, with contact forces by a law."""
         by_force = (forms.poles @ self.b).real
         return Forms(
             forms.poles * self.s + by_force @ law.poles,
@@ -126,23 +126,23 @@ class Forms:
     memory: Matrix
 
     def some(self, which: list[int]) -> "Forms":
-        """Return some of them."""
+        """Return some of the forms."""
         return Forms(*(q[which] for q in vars(self).values()))
 
     def at(self, angles: Vector, memory: Vector) -> Matrix:
-        """Return their values where z is 0, at angles of the forcing; shape (k, n)."""
+        """Return their values for z = 0, at angles of the forcing; shape (k, n)."""
         wave = (self.turn[:, None] * np.exp(1j * angles)).real
         return np.asarray(wave + (self.constant + self.memory @ memory)[:, None])
 
 
 @lru_cache(maxsize=64)
 def poles_of(body: Modal, omega: float, hold: bool = False) -> Poles:
-    """Return the poles of a body; `hold` holds it at its contacts, as one that moves freely.
+    """Return the poles of a body; `hold` adds auxiliary springs and dampers.
 
     Raises
     ------
     BodyError
-        If two are too near to each other, or the forcing is in resonance with a mode that no
+        If two poles nearly coincide, or the forcing is in resonance with a mode that no
         contact sees.
     """
     hold = hold or bool((body.squares == 0).any())
@@ -164,7 +164,7 @@ def _answer(body: Modal, omega: float, held: Held | None) -> Complex:
     Raises
     ------
     numpy.linalg.LinAlgError
-        If one is in resonance, and is not damped.
+        If an undamped mode is in resonance.
     """
     turn, forcing = 1j * omega, body.forcing.astype(complex)
     if held is None and body.is_proportional:
@@ -179,14 +179,14 @@ def _answer(body: Modal, omega: float, held: Held | None) -> Complex:
 
 
 def _held(body: Modal, omega: float) -> Held:
-    """Return what holds a body at its contacts, at frequencies of the forcing or its own."""
+    """Return auxiliary springs and dampers, at the frequency of the forcing or of the body."""
     rate = omega or float(np.sqrt(np.abs(body.squares).mean())) or 1.0
     mass = 1 / np.diag(body.mobility)
     return Held(SPRING * rate**2 * mass, DAMPER * rate * mass, body.residual, body.beyond)
 
 
 def _of_modes(body: Modal) -> tuple[Complex, Complex, Complex]:
-    """Return s, b, c in closed form, where the damping does not couple the modes."""
+    """Return s, b, c in closed form, for proportional damping."""
     half = np.diag(body.damping) / 2
     root = np.sqrt((half**2 - body.squares).astype(complex))
     if (np.abs(root) <= APART * np.maximum(np.sqrt(np.abs(body.squares)), half)).any():
@@ -202,7 +202,7 @@ def _of_modes(body: Modal) -> tuple[Complex, Complex, Complex]:
 def _of_states(
     body: Modal, omega: float, held: Held | None = None
 ) -> tuple[Complex, Complex, Complex]:
-    """Return s, b, c from the eigenvectors of the equations of first order."""
+    """Return s, b, c from the eigenvectors of the first-order equations."""
     own = free(body, omega, 0)
     x, v, *_ = (own.rows[q, : len(own.A)] for q in places(body.at.shape[1]))
     A = (

@@ -1,4 +1,4 @@
-"""What a switch makes of the state of a body: impulses, and the memory that it sets."""
+"""The switches of a body: impulses, and the memory that is set."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
 
-#: What an event may see of a way to shift a state that it does not see, as a part.
+#: Relative size of an event along a direction that is rounding.
 UNSEEN = 1e-12
 
 
@@ -40,7 +40,7 @@ class Switch:
 
     @cached_property
     def keeps(self) -> bool:
-        """Whether the state stays what it is."""
+        """Whether the state is unchanged."""
         return np.array_equal(self.state, np.eye(len(self.state)))
 
     @property
@@ -54,12 +54,12 @@ class Switch:
         return self.event[self.states : self.states + 3]
 
     def fixing(self, before: Matrix, after: Matrix) -> "Switch":
-        """Return the switch that shifts the state as well, to where its event happens.
+        """Return the switch with a shift of the state to the surface of its event.
 
         Parameters
         ----------
         before, after : ndarray, shape (n, f)
-            Ways to shift it: what the event sees of them, and what is shifted.
+            Directions of the shift, before the switch and behind it.
         """
         shift = after @ np.linalg.pinv((self.gradient @ before)[None])
         state = self.state - shift @ self.gradient[None]
@@ -67,18 +67,18 @@ class Switch:
 
 
 def fixed(switches: Sequence[Switch], before: Matrix, after: Matrix) -> list[Switch]:
-    """Return the switches of a cell, which fix places that nothing else fixes.
+    """Return the switches of a cell, which determine displacements that nothing else does.
 
-    At given durations nothing says where a ball is that moves freely between impacts.  Each
-    switch shifts it to where its event happens: on an orbit that is no shift.  Where a body is
-    that no event sees does not matter; the last switch moves it to 0.
+    At given durations the place of a body that moves freely between impacts is not determined.
+    Each switch shifts it to the surface of its event; on an orbit the shift is zero.  A
+    displacement that no event sees is arbitrary, and set to 0 by the last switch.
 
     Parameters
     ----------
     switches : sequence of Switch
     before, after : ndarray, shape (n, f)
-        Ways to shift the state, where a phase ends and behind its switch, that nothing sees but
-        the events; there may be none.
+        Directions of the state at the end of a phase and behind its switch, which only events
+        see; possibly none.
     """
     if not before.size:
         return list(switches)
@@ -92,8 +92,8 @@ def fixed(switches: Sequence[Switch], before: Matrix, after: Matrix) -> list[Swi
 def impulses(cell: "BodyCell", p: int) -> tuple[Matrix, Matrix]:
     """Return ``J = N v + d``, the impulses of the contacts at the end of a phase.
 
-    ``mobility J = (rho - 1) v + d`` at each contact whose velocity jumps.  Where the next phase
-    is held, what is left of its velocity is taken away too: nothing on an orbit.
+    ``mobility J = (rho - 1) v + d`` at each contact whose velocity jumps.  If the next phase is
+    held, the impulse brings the contact to its speed; on an orbit that is no further impulse.
 
     Returns
     -------
@@ -125,7 +125,7 @@ def impulses_of(
 
 
 def switch(cell: "BodyCell", p: int, rows: Matrix) -> Switch:
-    """Return the switch at the end of a phase, in which forms are of these `rows`."""
+    """Return the switch at the end of a phase; `rows` are the variables of forms."""
     memory, contacts = len(cell.memory), cell.body.at.shape[1]
     own = free(cell.body, cell.omega, memory)
     states, width = own.A.shape[0], own.rows.shape[1]

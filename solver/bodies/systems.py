@@ -1,4 +1,4 @@
-"""Products with sparse matrices without rounding, and solutions of their systems by these.
+"""Sparse matrix products without rounding errors, and refined solutions of sparse systems.
 
 K. Ozaki, T. Ogita, S. Oishi and S. M. Rump, Numer. Algorithms 59 (2012), 95-118.
 """
@@ -20,11 +20,11 @@ Solve: TypeAlias = Callable[[Matrix], Matrix]
 
 
 class BodyError(ValueError):
-    """A body whose numbers allow no orbit to be computed; it says why."""
+    """A body for which no orbit can be computed; the message says why."""
 
 
 def exact_product(A: Any, B: Matrix) -> tuple[Matrix, Matrix]:
-    """Return ``A B`` of a sparse and a full matrix, rounded, and the rounding of that.
+    """Return ``A B`` of a sparse and a full matrix, rounded, and its rounding error.
 
     Both are cut into parts of so few bits that the products of parts are without rounding.
 
@@ -57,7 +57,7 @@ def exact_product(A: Any, B: Matrix) -> tuple[Matrix, Matrix]:
 
 
 def _parts(values: Any, sizes: Vector, bits: int) -> list[Any]:
-    """Return parts of so many bits each of which numbers are the sums, the largest first."""
+    """Return a splitting of numbers into parts of few bits, the largest first."""
     found, top = [], np.exp2(np.ceil(np.log2(np.where(sizes > 0, sizes, 1.0))))
     for q in range(1, 1 + PARTS):
         step = top * 2.0 ** (BITS - q * bits)  # what is less than a bit of it is rounded
@@ -70,7 +70,7 @@ def _parts(values: Any, sizes: Vector, bits: int) -> list[Any]:
 
 
 def factored(matrix: Any) -> Any:
-    """Return the factors of a symmetric sparse matrix."""
+    """Return the LU factors of a symmetric sparse matrix."""
     from scipy import sparse  # noqa: PLC0415
 
     try:
@@ -83,7 +83,7 @@ def factored(matrix: Any) -> Any:
 
 
 def solver(matrix: Any, factors: Any = None) -> Solve:
-    """Return what solves systems with a symmetric sparse matrix, with the digits of a number.
+    """Return a solver of systems with a symmetric sparse matrix, to full accuracy.
 
     What is left of a system is solved once more.  Right sides have the shape (n, k).
     """
