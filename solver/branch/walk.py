@@ -40,8 +40,9 @@ NEUTRAL = 1e-9
 FULL, EVENT, STUCK, GROWN = 0, 1, 2, 3
 
 #: The last monitors are of the whole orbit: the tangent's component of the parameter;
-#: ``det(M + 1)``; the determinant of the bordered equations, zero where branches meet; the
-#: number of multipliers outside the unit circle; the product of ``lambda_i lambda_j - 1``.
+#: ``det(M + 1)``; the least pivot of the bordered Jacobian with the sign of its determinant,
+#: zero where branches meet; the number of multipliers outside the unit circle; the product of
+#: ``lambda_i lambda_j - 1``.  For the multipliers of a body see `bodies.equations`.
 OWN = 5
 FOLD, FLIP, MEETS, OUTSIDE, PAIRS = range(OWN)
 

@@ -79,7 +79,7 @@ def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, flo
     return False, fall, sign
 
 
-def led(
+def continued(
     plane: Any, z: Vector, sign: float, at: Any, to: Any, slope: Vector
 ) -> tuple[bool, Vector]:
     """Continue an orbit from one point to another; whether that succeeds, and the orbit.
@@ -186,7 +186,7 @@ def sown(
             continue
         for i in np.flatnonzero(np.abs(B - b) < wide):
             for j in np.flatnonzero(np.abs(A - a) < A[1] - A[0]):
-                ok, there = led(plane, z, sign, (a, b), (A[j], B[i]), np.zeros(n))
+                ok, there = continued(plane, z, sign, (a, b), (A[j], B[i]), np.zeros(n))
                 if ok:
                     point = int(i) * len(A) + int(j)
                     k = number_of(plane, table, A, B, point, there, sign, count, orbits)
@@ -224,7 +224,7 @@ def fill(
                 if behind >= 0:
                     slope = change(plane, Z[begin], Z[behind])
                 here, there = (A[j], B[i]), (A[jj], B[ii])
-                ok, z = led(plane, Z[begin], signs[begin], here, there, slope)
+                ok, z = continued(plane, Z[begin], signs[begin], here, there, slope)
                 point = ii * len(A) + jj
                 if ok:
                     sign = signs[begin]

@@ -1,1 +1,1 @@
-"""Orders of phases along a branch: which may follow where one ends, and how they are led to."""
+"""Orders of phases along a branch: which may follow where one ends, and how."""

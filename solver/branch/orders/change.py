@@ -37,7 +37,7 @@ def beyond(found: Found) -> tuple[Piece, Place] | None:
     for candidate in map(at.as_declared, at.candidates()):
         for ahead in AHEAD:
             try:
-                return _led(found, candidate, ahead)
+                return _orbit_beyond(found, candidate, ahead)
             except (NoStepError, ParameterError, UnknownScene, ArithmeticError):
                 continue
     return None
@@ -65,14 +65,14 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     border = np.linalg.svd(np.array(apart).T)[2][0] @ free
     for ahead in ASIDE:
         try:
-            led = bare.corrected(y + ahead * border / bare.along.weights, border)
-            return _admitted(bare, led, border)
+            y_aside = bare.corrected(y + ahead * border / bare.along.weights, border)
+            return _admitted(bare, y_aside, border)
         except (NoStepError, ParameterError, ArithmeticError):
             continue
     return None
 
 
-def _led(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place]:
+def _orbit_beyond(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place]:
     """Return an orbit of a candidate a little beyond an event.
 
     Raises

@@ -49,7 +49,8 @@ class Passed(NamedTuple):
     behind : State or BodyState
         The state just behind the switch.
     phase, state, clock : int, State or BodyState, Clock
-        The next phase, and where it begins; if no event ended the phase, itself and its start.
+        The next phase, and where it begins.  If no event ended the phase, itself and its start;
+        if no phase follows, itself and what is behind the switch.
     """
 
     s: float
