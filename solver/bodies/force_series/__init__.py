@@ -1,1 +1,1 @@
-"""The force series of a body: contact forces in Legendre polynomials, answered by its poles."""
+"""The force series: contact forces in Legendre polynomials, the responses by poles."""

@@ -1,7 +1,7 @@
-"""The equations of the force series for its times: events, and the length of the cell.
+"""The equations of the force series for its times: the events, and the duration of the cell.
 
-What `series` finds at given times is linear; Newton's method sees the durations and the phase
-of the forcing alone.  Plain Python, or compiled.
+At given times `series` solves a linear system for all else.  Newton's method has the durations
+and the phase of the forcing as its only unknowns.  Plain Python, or compiled.
 """
 
 from typing import Any
@@ -12,19 +12,19 @@ from ...arrays import Complex, Matrix, Vector
 from .integrals import moment_rates, rates_by_moments, response_rates
 from .series import linear, signed, solved
 
-#: No correction is taken with the derivatives of the one before: they come with the residual.
+#: Replaces `iteration.FAST`: no correction is simplified, as residuals come with a Jacobian.
 FAST = 0.0
 
 
 def times_of(case: Any) -> tuple[int, int]:
-    """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
+    """Return the number of unknown durations, and of unknown phases of the forcing: 1 or 0."""
     return len(case.counts), 1 if case.numbers[2] > 0 else 0
 
 
 def residual(case: Any, times: Vector, R: Vector) -> None:
-    """Fill R with the events and the length of the cell, at times alone.
+    """Fill R with the events and the duration of the cell, at given times.
 
-    Derivatives take less than that: `jacobian` finds them where they are kept.
+    The Jacobian costs less than the residual, and is kept in `case.kept` for `jacobian`.
     """
     found, count = linear(case, times), len(case.degrees)
     _, _, (_, unknowns), (events, constants), _ = found
@@ -36,25 +36,28 @@ def residual(case: Any, times: Vector, R: Vector) -> None:
 
 
 def jacobian(case: Any, times: Vector, J: Matrix) -> None:
-    """Fill J with the derivatives of the residual."""
+    """Fill J with the Jacobian of the residual, kept from the residual at the same times."""
     if not (case.kept[0] == times).all():
         residual(case, times, np.empty(len(times)))
     J[:] = case.kept[1:]
 
 
 def moved(case: Any, row: int, states: Complex, angle: float, turns: Vector) -> Vector:
-    """Return the derivatives of a form by the times, the unknowns held."""
+    """Return the derivatives of a form by the times, at fixed unknowns.
+
+    From those of the poles' `states`, and of the `angle` of the forcing (`turns`).
+    """
     wave = (1j * case.turns[row] * np.exp(1j * angle)).real
     found: Vector = (states @ case.forms[row]).real + wave * turns
     return found
 
 
 def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
-    """Fill J with the derivatives of the residual, by what `linear` found."""
+    """Fill J with the Jacobian of the residual; `found` is the result of `linear`."""
     begins, (grown, a, Z, turn), (A, unknowns), (events, _), (carry, starts) = found
     count, contacts, width = len(case.degrees), len(case.b), len(times)
     omega, s, first = case.numbers[0], case.s, count * (contacts + 1)
-    turns = np.zeros((len(begins), width))  # of the angles by the times
+    turns = np.zeros((len(begins), width))  # derivatives of the angles by the times
     turns[:, count:] = 1.0
     begun = np.empty((len(starts), len(s)), np.complex128)
     starts_by = np.zeros((len(starts), width, len(s)), np.complex128)
@@ -113,9 +116,9 @@ def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
 
 
 def ended(case: Any, times: Vector, e: int, unknowns: Vector, a: Complex) -> Complex:
-    """Return the derivative of what the forces of a piece add to z, by its duration.
+    """Return the derivative, by the duration s of a piece, of the part of z by its forces.
 
-    ``d (s a_n(s_k s))/d s``, with the forces and b: ``a_n + kappa a_n'``.
+    ``d(s a_n(kappa))/ds = a_n + kappa a_n'`` with kappa = s_k s, times the forces and b.
     """
     p, at, contacts = case.pieces[e, 0], case.pieces[e, 1], len(case.b)
     degrees = case.degrees[p] + 1

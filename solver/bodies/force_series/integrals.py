@@ -1,12 +1,12 @@
-"""What poles answer to Legendre polynomials of a phase: ``a_m`` and ``Z_mn``, for all kappa.
+"""Responses of poles to Legendre polynomials: ``a_m(kappa)`` and ``Z_mn(kappa)``.
 
-The formulas are those of `generated.force_series`.  Where ``|kappa|`` is large, ``a_m`` and
-``b_n`` come from their recurrences upwards.  Below, ``A_m`` is found downwards from far beyond
-the last that is wanted, up to a factor that the first two say, and B_n upwards.
+The formulas are those of `generated.force_series`; `codegen.galerkin.force_series` defines both
+integrals.  Where ``|kappa|`` is large, ``a_m`` and ``b_n`` come from their upward recurrences.
+Else ``A_m`` comes from its downward recurrence, started far above the highest degree that is
+wanted and normalized by `unity`, and ``B_n`` from its upward recurrence.
 
-``Z_mn`` is a product, ``Z_mn = above_m below_n steps_(n+2) ... steps_m`` for m > n, and
-``Z_nm = (-1)^(m-n) Z_mn``: its factors are kept, and no table of a pole is made.  What a series
-is answered takes as many operations as it has degrees.
+``Z_mn = above_m below_n steps_(n+2) ... steps_m`` for m > n, and ``Z_nm = (-1)^(m-n) Z_mn``.
+Only the factors are kept: the response to a series of N degrees takes O(N) operations.
 
 Plain Python, or compiled by numba.
 """
@@ -35,21 +35,21 @@ from ....generated.force_series import (
 )
 from ...arrays import Complex, Matrix, Vector
 
-#: From how many degrees beyond the last that is wanted ``A_m`` are found downwards, and half of
-#: ``|kappa|``: what is wrong there is below 1e-18 of what is wanted.
+#: The downward recurrence of ``A_m`` starts `BEYOND` plus ``|kappa|/2`` degrees above the
+#: highest that is wanted: its error is then below 1e-18.
 BEYOND = 10
 
-#: Degrees of what a series is answered beyond twice its own.
+#: Degrees of the response to a series, beyond twice its own.
 TAIL = 26
 
-#: Where these are among the factors of ``Z_mn``.
+#: Indices of the factors of ``Z_mn``, and of its diagonal.
 ABOVE, BELOW, STEPS, SAME = range(4)
 
 
 def moments(kappa: Complex, count: int) -> Complex:
     """Return ``a_m(kappa)`` for m below `count`; shape ``(count, len(kappa))``.
 
-    Errors of ``a_m e^(-Re kappa)`` are some 1e-14, for ``Re kappa <= 0`` those of ``a_m``.
+    The error is some 1e-14, for ``Re kappa > 0`` times ``e^(Re kappa)``.
     """
     found: Complex = whole(factors(kappa, count))[:count]
     return found
@@ -68,14 +68,14 @@ def whole(factors: Complex) -> Complex:
 def factors(kappa: Complex, count: int) -> Complex:
     """Return the factors of ``Z_mn`` for m, n below `count`, and its diagonal.
 
-    Shape ``(4, count + 1, len(kappa))``: `ABOVE`, `BELOW`, `STEPS`, `SAME` by degree, the last
-    entry of the second and the fourth unused.
+    Shape ``(4, count + 1, len(kappa))``: `ABOVE`, `BELOW`, `STEPS`, `SAME` by degree; the last
+    entries of `BELOW` and `SAME` are unused.
     """
     found = np.zeros((4, count + 1, len(kappa)), np.complex128)
     for which in apart(kappa, limit(count)):
         k = kappa[which]
-        own = room(found, which)
-        above, below, steps, same = own[0], own[1], own[2], own[3]
+        part = room(found, which)
+        above, below, steps, same = part[0], part[1], part[2], part[3]
         if largest(k) <= limit(count):
             weighted(k, above)
             weighted_answers(k, below)
@@ -89,37 +89,37 @@ def factors(kappa: Complex, count: int) -> Complex:
         for n in range(1, count):
             before, after = above[n] * below[n - 1], above[n + 1] * below[n]
             same[n] = same_response(n, k, before, after)
-        found[:, :, which] = own
+        found[:, :, which] = part
     return found
 
 
 def limit(count: int) -> int:
-    """Return the largest ``|kappa|`` for which the formulas are those without powers."""
+    """Return the largest ``|kappa|`` for which ``A_m`` and ``B_n`` are used."""
     return 2 * (count + 1)
 
 
 def apart(kappa: Complex, limit: int) -> Any:
-    """Return the poles that are computed together: those within a limit, and the others.
+    """Return the indices of poles that are computed together: within the limit, and beyond.
 
-    Compiled, each is computed by itself; see `one_by_one`.
+    In compiled code each pole is computed by itself; see `one_by_one`.
     """
     near = np.abs(kappa) <= limit
     return [which for which in (np.flatnonzero(near), np.flatnonzero(~near)) if len(which)]
 
 
 def largest(k: Any) -> float:
-    """Return the largest modulus of some kappa."""
+    """Return ``max |kappa|``."""
     return float(np.abs(k).max())
 
 
 def room(factors: Complex, which: Any) -> Complex:
-    """Return room for the factors of some poles."""
+    """Return an array of zeros for the factors of the poles `which`."""
     found: Complex = np.zeros_like(factors[:, :, which])
     return found
 
 
 def upwards(k: Any, found: Complex) -> None:
-    """Fill in ``a_m`` by its recurrence upwards, two at least."""
+    """Fill in ``a_m`` by its upward recurrence; at least two entries."""
     grown, inverse = np.exp(k), 1 / k
     found[0] = moment_0(k, grown)
     found[1] = moment_1(k, grown, found[0])
@@ -128,7 +128,7 @@ def upwards(k: Any, found: Complex) -> None:
 
 
 def weighted(k: Any, found: Complex) -> None:
-    """Fill in ``A_m`` by its recurrence downwards, two at least."""
+    """Fill in ``A_m`` by its downward recurrence; at least two entries."""
     after, here = 0 * k + 1, 0 * k + 1
     for m in range(len(found) + BEYOND + int(largest(k) / 2), 0, -1):
         after, here = here, weighted_moment(m, k, here, after)
@@ -140,7 +140,7 @@ def weighted(k: Any, found: Complex) -> None:
 
 
 def answers_upwards(k: Any, found: Complex) -> None:
-    """Fill in ``b_n``, which ``Z_(n+1)n`` is ``a_(n+1)`` times; the last is unused."""
+    """Fill in ``b_n = Z_(n+1)n/a_(n+1)`` by its upward recurrence; the last entry is unused."""
     found[0] = answer_0(k)
     found[1] = answer_1(k, found[0])
     for n in range(1, len(found) - 2):
@@ -148,7 +148,7 @@ def answers_upwards(k: Any, found: Complex) -> None:
 
 
 def weighted_answers(k: Any, found: Complex) -> None:
-    """Fill in the same of ``A_(n+1)``."""
+    """Fill in ``Z_(n+1)n/A_(n+1)``, by the upward recurrence of ``B_n``."""
     found[0], found[1] = 1.0, weighted_answer_1(k)
     for n in range(1, len(found) - 2):
         found[n + 1] = weighted_answer(n, k, found[n - 1], found[n])
@@ -157,7 +157,7 @@ def weighted_answers(k: Any, found: Complex) -> None:
 
 
 def responses(factors: Complex, w: Complex) -> Any:
-    """Return ``Re sum w Z_mn`` over the poles, by diagonals; shape (Q, count, count).
+    """Return ``Re sum w Z_mn`` over the poles, diagonal by diagonal; shape (Q, count, count).
 
     Parameters
     ----------
@@ -179,9 +179,9 @@ def responses(factors: Complex, w: Complex) -> Any:
 
 
 def response_rates(Z: Matrix, series: Vector) -> Vector:
-    """Return ``sum_n l_n dZ_mn/dkappa`` from sums of ``Z_mn``, of the degrees of the series.
+    """Return ``sum_n l_n dZ_mn/dkappa`` for each m, from weighted sums Z of ``Z_mn``.
 
-    The derivative is by neighbours: Z has one degree more.
+    The derivative follows from the neighbours: Z has one degree more than the series.
     """
     count = len(series)
     found = np.zeros(count)
@@ -193,13 +193,13 @@ def response_rates(Z: Matrix, series: Vector) -> Vector:
 
 
 def summed(factors: Complex, series: Complex) -> Complex:
-    """Return ``sum_n Z_mn l_n`` of each pole; shape (count, K).
+    """Return ``sum_n Z_mn l_n`` for each m and pole; shape (count, K).
 
     Parameters
     ----------
     factors : ndarray of complex, shape (4, count + 1, K)
     series : ndarray of complex, shape (r, K)
-        What each pole takes of the forces, of at most `count` degrees.
+        The coefficients l_n for each pole, of at most `count` degrees.
     """
     above, below, steps, same = factors[0], factors[1], factors[2], factors[3]
     found: Complex = np.empty_like(above[1:])
@@ -219,7 +219,7 @@ def summed(factors: Complex, series: Complex) -> Complex:
 
 
 def moment_rates(a: Complex) -> Complex:
-    """Return ``d a_m/d kappa`` from ``a_m``, one entry less; by the first index."""
+    """Return ``da_m/dkappa`` from ``a_m``, along the first index; one entry less."""
     found, before = np.empty_like(a[1:]), np.zeros_like(a[0])
     for m in range(len(found)):
         found[m] = moment_rate(m, before, a[m], a[m + 1])
@@ -228,7 +228,7 @@ def moment_rates(a: Complex) -> Complex:
 
 
 def rates_by_moments(series: Vector) -> Vector:
-    """Return what ``sum_n l_n d a_n/d kappa`` takes of each ``a_m``, one more than l_n."""
+    """Return c with ``sum_n l_n da_n/dkappa = sum_m c_m a_m``; one entry more than l."""
     found = np.zeros(len(series) + 1)
     for n in range(len(series)):
         found[n] += moment_rate(n, 0.0, 1.0, 0.0) * series[n]
@@ -245,7 +245,7 @@ def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
     ----------
     kappa : ndarray of complex, shape (K,)
     series : ndarray of complex, shape (N + 1, K)
-        The coefficients of f in Legendre polynomials, for each kappa its own.
+        The Legendre coefficients of f for each kappa.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""The equations of the force series for a cell: its phases, and where the unknowns are."""
+"""The equations of the force series for a cell: its phases, and the order of the unknowns."""
 
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
@@ -15,32 +15,35 @@ from ..systems import BodyError
 if TYPE_CHECKING:
     from ...scenes.bodies.cell import BodyCell
 
-#: Most polynomials of a piece: a phase of more is cut into equal pieces.
+#: Highest degree of a piece: a phase of a higher order is cut into equal pieces.
 MOST = 32
 
-#: Change of a mode over a cell of a forcing below which springs hold the body.  They add what
-#: polynomials have to follow in free phases, and nothing to harmonics, which lose digits more.
+#: Relative change of a mode over a forced cell below which auxiliary springs hold the body, in
+#: the force series and with harmonics.  In free phases the series has to resolve the springs'
+#: forces; harmonics need no more terms for them, and lose more digits without.
 RESONANT, OF_HARMONICS = 1e-7, 1e-2
 
 
 class Phase:
-    """What the equations of an order know of phase `p` of a cell.
+    """Phase `p` of a cell in the equations of an order.
 
     Attributes
     ----------
-    law, event, force, seen : Forms
-        The laws; by these the event at its end, the contact forces, and what forms are of.
+    law : Forms
+        The laws of the contacts, without their parts by the contact forces.
+    event, force, seen : Forms
+        The event at its end, the contact forces, the variables of forms; with the forces by
+        the laws.
     direct : ndarray, shape (c, c)
-        What the forces add to the laws.
+        The factors of the contact forces in the laws.
     hit : ndarray of int
-        The contacts that an impulse meets at its end.
+        The contacts with an impulse at its end.
     impulse : ndarray, shape (c, c + 1)
         Impulses by the velocities, and the constant.
     fixing : ndarray, shape (c,)
-        What the event at its end adds to the laws: 0 on an orbit; see `_fixing`.
-    degree : int
-        Of the series of a piece.
-    pieces : int
+        The factors of the event at its end that are added to the laws; see `_fixing`.
+    degree, pieces : int
+        The degree of the series of a piece, and the number of pieces.
     """
 
     def __init__(self, cell: "BodyCell", poles: Poles, p: int, order: int) -> None:
@@ -63,18 +66,19 @@ class Phase:
 
 
 class Layout:
-    """A cell in the force series of an order: phases, poles, and where unknowns are.
+    """A cell in the force series of an order: phases, poles, and the order of the unknowns.
 
     Attributes
     ----------
     phases : tuple of Phase
     poles : Poles
     velocity, setting : Forms
-        Of each contact; what each memory is set to.
+        The velocity of each contact; the value that each memory is set to.
     pieces, hits : ndarray of int
         See `Setting`.
     first_impulse, first_memory, size : int
-        Where these begin among the unknowns, and how many unknowns there are.
+        The index of the first impulse and of the first memory among the unknowns, and their
+        number.
     """
 
     def __init__(self, cell: "BodyCell", poles: Poles, order: int) -> None:
@@ -108,20 +112,19 @@ class Layout:
 
 @lru_cache(maxsize=64)
 def layout(cell: "BodyCell", order: int, least: float = RESONANT) -> Layout:
-    """Return the equations of a cell at an order N, N + 1 coefficients an unknown force.
+    """Return the equations of a cell at an order N, with N + 1 coefficients of a force.
 
     Parameters
     ----------
     cell : BodyCell
     order : int
     least : float, optional
-        The least change of a mode over the cell for which the body is not held.
+        The relative change of a mode over the cell up to which auxiliary springs hold the body.
 
     Raises
     ------
     BodyError
-        If a mode repeats itself with the forcing that no contact sees: what is made of it is
-        unbounded.
+        If an undamped mode that no contact sees is in resonance with the forcing.
     """
     poles = poles_of(cell.body, cell.omega)
     if _change(cell, poles) <= least or shifts(cell)[0].size:
@@ -135,12 +138,12 @@ def layout(cell: "BodyCell", order: int, least: float = RESONANT) -> Layout:
 
 
 def for_harmonics(cell: "BodyCell") -> Layout:
-    """Return phases and poles of a cell for harmonics, whose unknowns are others."""
+    """Return phases and poles of a cell for `harmonics`, which has other unknowns."""
     return layout(cell, 1, OF_HARMONICS)
 
 
 def _change(cell: "BodyCell", poles: Poles) -> float:
-    """Return the least change of a mode over a cell of a forcing, as a part of it."""
+    """Return ``min |1 - sigma e^(s T)|`` over the poles; infinity without a forcing."""
     if not cell.forced:
         return np.inf
     changes = np.abs(1 - cell.sign * np.exp(poles.s * cell.duration))
@@ -148,32 +151,32 @@ def _change(cell: "BodyCell", poles: Poles) -> float:
 
 
 class Setting(NamedTuple):
-    """The same as arrays, which the functions of `series` take.
+    """A `Layout` as arrays, the `case` of `series` and `events`.
 
     Parameters
     ----------
     s : ndarray of complex, shape (m,)
     b : ndarray of complex, shape (c, m)
     forms, turns, rest : ndarray
-        Forms by row: by the poles, (R, m); by the forcing, (R,); by 1 and the memory,
-        (R, 1 + M).  The laws of each phase, the events, the velocities of the contacts, and
-        what each memory is set to.
+        The factors of forms: of the poles, (R, m); of the forcing, (R,); of 1 and the memory,
+        (R, 1 + M).  The rows are the laws of each phase, the events, the velocities of the
+        contacts, and the values of the memories.
     direct, impulse, fixing : ndarray
         See `Phase`; of each phase.
     hits : ndarray of int, shape (P, c)
-        Which unknown is the impulse of each contact at the end of each phase, or -1.
+        The unknown that is the impulse of each contact at the end of each phase, or -1.
     pieces : ndarray of int, shape (E, 3)
-        Of each piece its phase, where its coefficients begin, and whether it is the last.
+        For each piece its phase, the first of its unknowns, and 1 for the last of its phase.
     degrees, counts : ndarray of int, shape (P,)
-        The degree of a piece of each phase, and how many there are.
+        The degree of a piece of each phase, and the number of pieces.
     sets : ndarray of int, shape (M,)
-        The piece at whose beginning each memory is set.
+        The piece at whose start each memory is set.
     size : ndarray of int, shape (2,)
-        How many unknowns there are, and the first that is a memory.
+        The number of unknowns, and the index of the first memory.
     numbers : ndarray, shape (3,)
-        Omega, sign, and duration of the cell, 0 where nothing forces.
+        Omega, sign, and duration of the cell; the last is 0 without a forcing.
     kept : ndarray, shape (1 + W, W)
-        Room for W times, and the derivatives there; a copy for each use.
+        The W times of the last residual and its Jacobian there; each solve has its own copy.
     """
 
     s: Complex
@@ -197,41 +200,42 @@ class Setting(NamedTuple):
 @lru_cache(maxsize=64)
 def setting(cell: "BodyCell", order: int) -> Setting:
     """Return the equations of a cell at an order as arrays."""
-    own = layout(cell, order)
+    equations = layout(cell, order)
     rows = [
-        *(phase.law for phase in own.phases),
-        *(phase.event for phase in own.phases),
-        own.velocity,
-        own.setting,
+        *(phase.law for phase in equations.phases),
+        *(phase.event for phase in equations.phases),
+        equations.velocity,
+        equations.setting,
     ]
     constants = np.concatenate([q.constant for q in rows])
     memories = np.concatenate([q.memory for q in rows])
-    width = len(own.phases) + cell.forced
+    width = len(equations.phases) + cell.forced
     return Setting(
-        own.poles.s,
-        np.ascontiguousarray(own.poles.b.T),
+        equations.poles.s,
+        np.ascontiguousarray(equations.poles.b.T),
         np.concatenate([q.poles for q in rows]),
         np.concatenate([q.turn for q in rows]).astype(complex),
         np.column_stack([constants, memories]).astype(float),
-        np.array([phase.direct for phase in own.phases], dtype=float),
-        np.array([phase.impulse for phase in own.phases], dtype=float),
-        np.array([phase.fixing for phase in own.phases], dtype=float),
-        own.hits,
-        own.pieces,
-        np.array([phase.degree for phase in own.phases]),
-        np.array([phase.pieces for phase in own.phases]),
-        np.array([own.first_of(each.phase) for each in cell.memory], dtype=int),
-        np.array([own.size, own.first_memory]),
+        np.array([phase.direct for phase in equations.phases], dtype=float),
+        np.array([phase.impulse for phase in equations.phases], dtype=float),
+        np.array([phase.fixing for phase in equations.phases], dtype=float),
+        equations.hits,
+        equations.pieces,
+        np.array([phase.degree for phase in equations.phases]),
+        np.array([phase.pieces for phase in equations.phases]),
+        np.array([equations.first_of(each.phase) for each in cell.memory], dtype=int),
+        np.array([equations.size, equations.first_memory]),
         np.array([cell.omega, cell.sign, cell.duration if cell.forced else 0.0]),
         np.full((1 + width, width), np.nan),
     )
 
 
 def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
-    """Return contact forces by the event at the end of a phase, which fix places as springs do.
+    """Return spring forces at the contacts, per unit of the event at the end of a phase.
 
-    On an orbit they are 0; see `Switch.fixing`.  They are constant, and of the series linear
-    as well: against a motion that is as fast out as back a constant does no work.
+    They determine displacements that nothing else does, and are 0 on an orbit; see
+    `switch.fixed`.  They are added to the constant and the linear terms of the laws: a constant
+    alone does no work on a motion with the same velocities out and back.
     """
     found, ways = np.zeros(poles.b.shape[1]), shifts(cell)[0]
     if ways.size and poles.held is not None:
@@ -244,7 +248,7 @@ def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
 
 
 def _pieces(order: int) -> tuple[int, int]:
-    """Return the degree of each piece of a phase, and how many there are.
+    """Return the degree of each piece of a phase, and the number of pieces.
 
     Examples
     --------

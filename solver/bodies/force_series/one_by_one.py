@@ -1,6 +1,6 @@
-"""Integrals of one pole after the other: what stands for functions of `integrals` compiled.
+"""Functions that replace those of the same names in `integrals` when compiled.
 
-There kappa is one number, and what is found of it one column.
+Each pole is computed by itself: kappa is a number, its results one column.
 """
 
 from typing import Any
@@ -9,16 +9,16 @@ from ...arrays import Complex
 
 
 def apart(kappa: Complex, limit: int) -> Any:
-    """Return the poles that are computed together: each by itself."""
+    """Return the index of each pole."""
     return range(len(kappa))
 
 
 def largest(k: Any) -> float:
-    """Return the modulus of one kappa."""
+    """Return ``|kappa|``."""
     return float(abs(k))
 
 
 def room(factors: Complex, which: Any) -> Complex:
-    """Return the room for the factors of one pole."""
+    """Return a view of the factors of one pole."""
     found: Complex = factors[:, :, which]
     return found

@@ -1,12 +1,12 @@
 """The force series: contact forces in Legendre polynomials, the body by its poles.
 
-``lam = sum l_n P_n*(u)`` on each phase in which the law leaves the force unknown, the law
-tested with the same polynomials; where the force is given, one constant is exact.  At given
-times forces, impulses and memory are one linear system, whose size does not know how many
-modes there are; `events` has what Newton's method sees of it.
+On a phase, or a piece of it, ``lam = sum l_n P_n*(u)``, and the law is tested with the same
+polynomials.  Where the law gives the force, one constant is exact.  At given times forces,
+impulses and memory solve one linear system, whose size does not depend on the number of modes;
+`events` has the equations for the times.
 
-Linear forms of what is seen are ``Re sum forms z + Re(turns e^(i theta)) + rest``, rest by 1
-and the memory; the rows of a case are those of `layout.Setting`.  Plain Python, or compiled.
+Linear forms are ``Re sum forms z + Re(turns e^(i theta)) + rest``, the last by 1 and the
+memory.  A case is a `layout.Setting`.  Plain Python, or compiled.
 """
 
 from typing import Any
@@ -33,19 +33,20 @@ def begins_of(case: Any, times: Vector) -> Vector:
 
 
 def integrals(case: Any, times: Vector) -> tuple[Complex, Complex, Any, Complex]:
-    """Return what poles and the forcing give at the durations of a piece of each phase.
+    """Return the integrals of poles and forcing over one piece of each phase.
 
     Returns
     -------
     grown : ndarray of complex, shape (P, m)
         ``e^kappa`` of the poles.
     a : ndarray of complex, shape (P, degrees, m)
-        ``a_n`` of the poles, of as many degrees as the force has, and two more.
+        ``a_n`` of the poles, up to two degrees above that of the force.
     Z : ndarray, shape (P, 2, c, c, degrees, degrees)
-        ``Re sum law b Z_mn`` over the poles where the force is unknown, by the contacts of law
-        and force, and the same with kappa; of one degree more than the force.
+        ``Re sum law b Z_mn`` over the poles, by the contacts of law and force, and
+        ``Re sum kappa law b Z_mn``; up to one degree above that of the force.  Zero where the
+        law gives the force.
     turn : ndarray of complex, shape (P, degrees)
-        ``a_n`` of the forcing.
+        ``a_n(i omega s)`` of the forcing, s the duration of a piece.
     """
     count, size, contacts = len(case.degrees), len(case.s), len(case.b)
     most = case.degrees.max() + 2
@@ -66,7 +67,7 @@ def integrals(case: Any, times: Vector) -> tuple[Complex, Complex, Any, Complex]
 
 
 def seen_by(case: Any, p: int, kappa: Complex) -> Complex:
-    """Return ``law b`` of the poles in a phase, and the same with kappa; shape (m, 2 c c)."""
+    """Return ``law b`` and ``kappa law b`` of the poles in a phase; shape (m, 2 c c)."""
     contacts = len(case.b)
     found = np.empty((len(kappa), 2 * contacts * contacts), np.complex128)
     for k in range(contacts):
@@ -77,9 +78,9 @@ def seen_by(case: Any, p: int, kappa: Complex) -> Complex:
 
 
 def carried(case: Any, grown: Complex) -> Any:
-    """Return what is left where piece e begins of 1 at the end of f, periodic: (E, E, m).
+    """Return z at the start of piece e for unit impulses (with sign) at each end of piece f.
 
-    `grown` is ``e^kappa`` of a piece of each phase.
+    Shape (E, E, m); `grown` is ``e^kappa`` of a piece of each phase.
     """
     count, sign = len(case.pieces), case.numbers[1]
     found = np.empty((count, count, grown.shape[1]), np.complex128)
@@ -96,16 +97,16 @@ def carried(case: Any, grown: Complex) -> Any:
 
 
 def signed(values: Any) -> Any:
-    """Return values by degree, those of the odd ones with the other sign."""
+    """Return ``(-1)^n`` times the values of degree n."""
     found = values.copy()
     found[1::2] *= -1
     return found
 
 
 def states(case: Any, times: Vector, grown: Complex, a: Complex) -> Any:
-    """Return what is carried, and z where pieces begin and end, by the unknowns.
+    """Return `carried`, and z at the start and the end of each piece, by the unknowns.
 
-    Shapes (E, E, m), see `carried`, and (E, U, m) twice.
+    Shapes (E, E, m), and (E, U, m) twice.
     """
     count, contacts = len(case.pieces), len(case.b)
     carry = carried(case, grown)
@@ -132,14 +133,14 @@ def states(case: Any, times: Vector, grown: Complex, a: Complex) -> Any:
 
 
 def value(case: Any, row: int, states: Complex, angle: float) -> tuple[Vector, float]:
-    """Return a form by the unknowns: factors and constant."""
+    """Return a form as factors of the unknowns and a constant."""
     found: Vector = (states @ case.forms[row]).real
     found[case.size[1] :] += case.rest[row, 1:]
     return found, (case.turns[row] * np.exp(1j * angle)).real + case.rest[row, 0]
 
 
 def solved(A: Matrix, right: Matrix) -> Matrix:
-    """Return the solution of a linear system; not numbers where there is none."""
+    """Return the solution of a linear system; NaN if it is singular."""
     found = np.full(right.shape, np.nan)
     try:
         found[:] = np.linalg.solve(A, right)
@@ -152,7 +153,10 @@ def tested(
     case: Any, e: int, a: Complex, Z: Any, turn: Complex, states: Complex, begins: Vector,
     s: float, event: Vector, constant: float, A: Matrix, right: Vector,
 ) -> None:  # fmt: skip
-    """Fill in the laws of a piece, tested with the polynomials; the event ends its phase."""
+    """Fill in the laws of piece e, tested with its polynomials.
+
+    `event` and `constant` are the event that ends its phase, which `fixing` adds.
+    """
     p, at, contacts = case.pieces[e, 0], case.pieces[e, 1], len(case.b)
     count = case.degrees[p] + 1
     wave = np.exp(1j * begins[e])
@@ -178,10 +182,10 @@ def tested(
 
 
 def linear(case: Any, times: Vector) -> Any:
-    """Return all that holds at given times.
+    """Set up and solve the linear system at given times.
 
-    The angles where pieces begin; the integrals; the system, and its solution; the events by
-    the unknowns, factors and constants; what poles carry on, see `states`.
+    Returns the angles where pieces begin; `integrals`; the matrix of the system and its
+    solution; the events as factors of the unknowns and constants; the first two of `states`.
     """
     begins, (grown, a, Z, turn) = begins_of(case, times), integrals(case, times)
     carry, starts, ends = states(case, times, grown, a)
