@@ -1,4 +1,4 @@
-"""What the poles of a body answer to impulses and to forces with a break at a switch."""
+"""The responses of the poles of a body to impulses and to forces with a break at a switch."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,9 +18,9 @@ class Break(NamedTuple):
     Parameters
     ----------
     switch : int
-        Where it is: where this phase begins; the number of phases for the end of the cell.
+        The phase at whose start it is; the number of phases for the end of the cell.
     n : int
-        Of ``beta_n``, whose derivative of order n - 1 jumps by 1; 0 of an impulse.
+        The index of ``beta_n``, whose derivative of order n - 1 jumps by 1; 0 for an impulse.
     contact : int
     """
 
@@ -31,22 +31,24 @@ class Break(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """What the body answers to each of some breaks on one phase; times are parts of the cell.
+    """The responses of the poles to breaks, on one phase; times are relative to the cell.
 
     Parameters
     ----------
     begin, length : float
+        Start and duration of the phase.
     E : ndarray of complex, shape (m, B)
     polynomials : ndarray of complex, shape (m, B, R)
-        ``z = E e^(kappa w) + sum polynomials P_r*(age)`` at the time w since `begin`; the age
-        is that of the break.
+        ``z = E e^(kappa w) + sum polynomials P_r*(age)`` at the time w from `begin`; the age
+        is the time since the break.
     ages : ndarray, shape (B,)
-        The time since each break, at `begin`.
+        The age of each break at `begin`.
     series : ndarray, shape (B, n)
-        The forces in Legendre polynomials of the phase.
+        The Legendre coefficients of the forces on the phase.
     forced : ndarray of complex, shape (m, B)
         ``z' = kappa z + forced force``.
     kappa : ndarray of complex, shape (m,)
+        The poles, times the duration of the cell.
     """
 
     begin: float
@@ -59,25 +61,25 @@ class Answer:
     kappa: Complex
 
     def at(self, w: Vector) -> Complex:
-        """Return z at times since the phase began; shape (B, m, len(w))."""
+        """Return z at times from the start of the phase; shape (B, m, len(w))."""
         z = self.E.T[:, :, None] * np.exp(self.kappa[:, None] * w)
         basis = _legendre(self.ages[:, None] + w, self.polynomials.shape[2])
         return np.asarray(z + self.polynomials.swapaxes(0, 1) @ basis.swapaxes(1, 2))
 
     @cached_property
     def ends(self) -> tuple[Complex, Complex]:
-        """The states z where the phase begins and ends; shape (m, B) each."""
+        """The values of z at the start and the end of the phase; shape (m, B) each."""
         found = self.at(np.array([0.0, self.length]))
         return found[:, :, 0].T, found[:, :, 1].T
 
     def slopes(self, side: int) -> Complex:
-        """Return the derivatives of z where the phase begins (0) or ends (1)."""
+        """Return the derivatives of z at the start (0) or the end (1) of the phase."""
         signs = np.where(side, 1.0, (-1.0) ** np.arange(self.series.shape[1]))
         found: Complex = self.kappa[:, None] * self.ends[side]
         return found + self.forced * (self.series @ signs)
 
     def by_waves(self, turns: Vector) -> Complex:
-        """Return the integrals of the forces with ``e^(-i turns u)``; shape (J, B)."""
+        """Return the integrals of the forces times ``e^(-i turns u)``; shape (J, B)."""
         own = moments(-1j * self.length * turns.astype(complex), self.series.shape[1])
         wave = self.length * np.exp(-1j * turns * self.begin)
         return np.asarray(wave[:, None] * (own.T @ self.series.T))
@@ -90,7 +92,7 @@ def _legendre(u: Vector, count: int) -> Matrix:
 def answers_to(
     poles: Poles, breaks: tuple[Break, ...], T: float, ends: Vector, sign: int
 ) -> list[Answer]:
-    """Return the answers of the poles to breaks in every cell, on each phase of one cell.
+    """Return the responses of the poles to breaks in every cell, on each phase of one cell.
 
     Parameters
     ----------
@@ -99,13 +101,13 @@ def answers_to(
     T : float
         Duration of the cell.
     ends : ndarray, shape (P + 1,)
-        Where phases begin, and the last ends, as parts of it.
+        The starts of the phases and the end of the last, relative to T.
     sign : int
-        What the motion is multiplied by from one cell to the next.
+        1, or -1 if the next cell is the mirror image.
     """
     kappa, highest = poles.s * T, max((q.n for q in breaks), default=0)
     around = 1 / (1 - sign * np.exp(kappa))
-    whole = [(around, np.zeros((len(kappa), 1), dtype=complex))]  # of an impulse
+    whole = [(around, np.zeros((len(kappa), 1), dtype=complex))]  # to a unit impulse
     for n, series in enumerate(break_series(highest, 0.0, 1.0, sign)[1:], start=1):
         E, B = answers(kappa, np.outer(series[: n + 1], np.ones_like(kappa)))
         end = E * np.exp(kappa) + B.sum(axis=0)

@@ -1,4 +1,4 @@
-"""What is known of a cell at given times before its unknowns are: poles, harmonics, breaks."""
+"""The data of a cell at given times, before its unknowns: poles, harmonics, breaks."""
 
 from typing import TYPE_CHECKING
 
@@ -16,31 +16,33 @@ if TYPE_CHECKING:
 
 
 class Frame:
-    """What is known of a cell of duration T at given times; places are parts of that.
+    """The data of a cell of duration T at given times; instants are relative to T.
 
     Attributes
     ----------
     own : Layout
         Phases and poles.
+    functions : int
+        The number of functions with a break at each switch.
     ends : ndarray, shape (P + 1,)
-        Where phases begin, and the last ends: from 0 to 1.
+        The starts of the phases and the end of the last, from 0 to 1.
     angles : ndarray, shape (P + 1,)
-        Of the forcing there.
+        The angles of the forcing there.
     turns : ndarray, shape (J,)
         ``h w T`` of each harmonic, ascending.
     above : ndarray of complex, shape (J, m)
-        What each pole answers to each harmonic, ``1/(i h w - s)``.
+        The response of each pole to each harmonic, ``1/(i h w - s)``.
     breaks : tuple of Break
         The functions, then the impulses.
     answers : list of Answer
-        To them on each phase.
+        The responses to them on each phase.
     laws : list of Forms
         The contact forces by the law of each phase.
     waves, size : int
-        How many unknowns are harmonics, and how many there are in all: the factors of `breaks`
-        follow the harmonics, and the memory follows these.
+        The number of harmonics among the unknowns, and of all unknowns.  They are the
+        harmonics, the factors of `breaks`, the memory.
     memory : slice
-        Where the memory is among them.
+        The memory among the unknowns.
     """
 
     def __init__(
@@ -68,7 +70,7 @@ class Frame:
 
 
 def numbers(sign: int, order: int) -> Vector:
-    """Return ``h w T`` of the harmonics up to an order: of half a period the odd ones.
+    """Return ``h w T`` of the harmonics up to an order; of a half period only the odd ones.
 
     Examples
     --------
@@ -87,18 +89,18 @@ def first_function(cell: "BodyCell", p: int) -> int:
 
 
 def compliance(frame: Frame, forms: Forms) -> Complex:
-    """Return what forms are of each harmonic of the forces; shape (J, k, contacts)."""
+    """Return the responses of forms to each harmonic of the forces; shape (J, k, contacts)."""
     found = np.einsum("jm,km,mc->jkc", frame.above, forms.poles, frame.own.poles.b)
     return of_real(found)
 
 
 def of_real(by_harmonic: Complex) -> Complex:
-    """Return the harmonics of the real part of what has these."""
+    """Return the harmonics of the real part of a function, from its own."""
     return np.asarray((by_harmonic + by_harmonic[::-1].conj()) / 2)
 
 
 def values(frame: Frame, forms: Forms, q: int, side: int) -> tuple[Complex, Vector]:
-    """Return forms at an end of phase `q`: rows over the unknowns, and what is known."""
+    """Return rows over the unknowns and constants of forms, at start (0) or end (1) of `q`."""
     at = q + side
     wave = np.exp(1j * frame.turns * frame.ends[at])[:, None, None]
     harmonics = (compliance(frame, forms) * wave).transpose(1, 0, 2)

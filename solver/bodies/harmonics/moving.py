@@ -1,4 +1,4 @@
-"""How forms and rows move with the switches, at fixed unknowns."""
+"""The derivatives of forms and rows by the switches, at fixed unknowns."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from .frame import Frame, values
 
 
 class Moving:
-    """How forms move with the places of the switches and the forcing, at fixed unknowns.
+    """Derivatives by the switches and the phase of the forcing, at fixed unknowns.
 
     Parameters
     ----------
@@ -24,7 +24,10 @@ class Moving:
         self.own = np.array([q.switch for q in frame.breaks]) == self.switches[:, None]
 
     def of(self, forms: Forms, q: int, side: int) -> Matrix:
-        """Return the derivatives of forms at an end of phase `q`: by switches, by the angle."""
+        """Return the derivatives of forms at the start (0) or end (1) of phase `q`.
+
+        By column: by the inner switches, then by the phase of the forcing.
+        """
         frame, poles = self.frame, self.frame.own.poles
         at, answer = q + side, self.frame.answers[q]
         wave = np.exp(1j * frame.turns * frame.ends[at])[:, None] * self.harmonics
@@ -39,7 +42,7 @@ class Moving:
         return np.column_stack([found, turned.real])
 
     def galerkin(self, A: Complex) -> Complex:
-        """Return the derivatives of Galerkin's rows, which `A` are, by the switches."""
+        """Return the derivatives of Galerkin's rows, the first of `A`, by inner switches."""
         frame = self.frame
         found = np.zeros((frame.waves, len(self.switches)), dtype=complex)
         waves = np.exp(-1j * frame.turns[:, None] * frame.ends)
@@ -51,7 +54,7 @@ class Moving:
                 rows, rest = values(frame, law, q, side)
                 force = (rows @ self.unknowns).real + rest
                 z = frame.answers[q].ends[side] * self.factors
-                own = (law.poles @ (z @ self.own.T)).real  # what moves with each switch
+                own = (law.poles @ (z @ self.own.T)).real  # the part by breaks at each switch
                 own -= np.outer(force, self.switches == q + side)
                 found += sign * np.einsum("j,cr->jcr", waves[:, q + side], own).reshape(
                     found.shape

@@ -1,4 +1,4 @@
-"""The equations of the harmonics of contact forces at given times; see the room."""
+"""The equations of the harmonics of contact forces at given times; see the package."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,22 +16,22 @@ from .moving import Moving
 if TYPE_CHECKING:
     from ...scenes.bodies.cell import BodyCell
 
-#: What a constant force sees of its answer, as a part, where it fixes nothing.
+#: Relative size of a response to constant forces that is taken as zero.
 UNSEEN = 1e-7
 
-#: Step of the difference by the duration of the cell, where nothing forces: a part of it.
+#: Relative step of the difference quotient by the duration of a cell without a forcing.
 STEP = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
 class Evaluation:
-    """What the times of a cell say: see `exact.Evaluation`.
+    """The equations at given times; see `exact.Evaluation`.
 
     Parameters
     ----------
     residual, jacobian : ndarray
     unknowns : ndarray of complex
-        Harmonics of the forces by number and contact; factors of `Frame.breaks`; memory.
+        The harmonics of the forces, by contact; the factors of `Frame.breaks`; the memory.
     frame : Frame
     """
 
@@ -42,9 +42,9 @@ class Evaluation:
 
 
 class Statement(NamedTuple):
-    """Unknowns as combinations of forms where a phase begins (0) or ends (1), and a constant.
+    """Unknowns as combinations of forms at the start (0) or end (1) of a phase, and a constant.
 
-    ``unknowns[place] = sum weights forms + constant``, summed over the statements of a place.
+    ``unknowns[place] = weights forms + constant``, summed over the statements of a place.
     """
 
     place: slice
@@ -56,7 +56,7 @@ class Statement(NamedTuple):
 
 
 def _galerkin(frame: Frame) -> Complex:
-    """Return the rows of the harmonics: the force less what the laws make of the state.
+    """Return the rows of the harmonics: of the force, minus those of the force by the laws.
 
     Functions and impulses are integrated by parts, as `codegen.galerkin.force_harmonics` says.
     """
@@ -64,7 +64,7 @@ def _galerkin(frame: Frame) -> Complex:
     J, contacts = len(turns), b.shape[1]
     rows = np.zeros((J, contacts, frame.size), dtype=complex)
     waves = np.einsum("jh,cd->jchd", np.eye(J), np.eye(contacts)).astype(complex)
-    apart = np.arange(J) - np.arange(J)[:, None] + J - 1  # of two harmonics, from the least
+    apart = np.arange(J) - np.arange(J)[:, None] + J - 1  # index in `steps` of a difference
     steps = (turns[1] - turns[0]) * np.arange(1 - J, J)
     breaks = slice(frame.waves, frame.memory.start)
     forced = np.array([b[:, q.contact] * (q.n > 0) for q in frame.breaks]).reshape(-1, len(b)).T
@@ -88,7 +88,7 @@ def _galerkin(frame: Frame) -> Complex:
 
 
 def _driven(frame: Frame, angle: float) -> Complex:
-    """Return the harmonics of what the laws make of the forcing, at an angle of its own."""
+    """Return the harmonics of the part of the laws by a forcing with initial phase `angle`."""
     drive = frame.angles[-1] - frame.angles[0]
     found = np.zeros((len(frame.turns), frame.own.poles.b.shape[1]), dtype=complex)
     for q, law in enumerate(frame.laws):
@@ -99,7 +99,7 @@ def _driven(frame: Frame, angle: float) -> Complex:
 
 
 def _statements(cell: "BodyCell", frame: Frame) -> Iterator[Statement]:
-    """Yield what the factors of functions, the impulses and the memory are."""
+    """Yield the equations of the factors of functions, the impulses and the memory."""
     own, at, contacts = frame.own, frame.waves, frame.own.poles.b.shape[1]
     for p in range(len(frame.laws)):
         after, before = frame.laws[p], frame.laws[p - 1]
@@ -123,7 +123,7 @@ def _statements(cell: "BodyCell", frame: Frame) -> Iterator[Statement]:
 
 
 def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, Vector]:
-    """Return the linear system of the unknowns, and the events by them."""
+    """Return matrix and right side of the unknowns' system, factors and constants of events."""
     A, right = np.eye(frame.size, dtype=complex), np.zeros(frame.size, complex)
     A[: frame.waves] = _galerkin(frame)
     alone = (
@@ -147,9 +147,9 @@ def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, 
 
 
 def _fixing(frame: Frame) -> tuple[Indices, Matrix]:
-    """Return the rows of the mean forces, and what events add to them: 0 on an orbit.
+    """Return the indices of the mean forces' rows, and the factors of the events added to them.
 
-    See `layout.Phase`.
+    They vanish on an orbit; see `layout.Phase`.
     """
     mean = np.flatnonzero(np.repeat(frame.turns == 0, frame.own.poles.b.shape[1]))
     by_law = [q.fixing / np.diag(q.direct) for q in frame.own.phases]
@@ -157,7 +157,7 @@ def _fixing(frame: Frame) -> tuple[Indices, Matrix]:
 
 
 def _mean_fixes(cell: "BodyCell") -> bool:
-    """Whether constant contact forces fix what closing a cell does not see."""
+    """Whether constant contact forces act on the directions that periodicity leaves open."""
     _, ways = shifts(cell)
     if not (ways.size and cell.forced and len(cell.phases) == 1):
         return True
@@ -180,9 +180,14 @@ def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Ev
     order : int
         The highest harmonic.
     functions : int
-        Beside the harmonics, at each switch.
+        The number of functions with a break at each switch.
     times : ndarray
-        Durations and, if something forces, the phase of the forcing.
+        Durations and, with a forcing, its phase.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If the system is singular.
     """
     if not _mean_fixes(cell):
         raise np.linalg.LinAlgError
@@ -193,12 +198,12 @@ def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Ev
     unknowns: Complex = np.asarray(np.linalg.solve(A, right), dtype=complex)
     residual: Vector = (events @ unknowns).real + constant
     moved, shifted = _moved(cell, frame, A, unknowns)
-    by_times = np.zeros((count, len(times)))  # of switches and angle
+    by_times = np.zeros((count, len(times)))  # derivatives of switches and angle
     by_times[:-1, :count] = np.tri(count - 1, count) / T
     if cell.forced:
         by_times[-1, -1] = 1.0
     moved, shifted = moved @ by_times, shifted @ by_times
-    if not cell.forced:  # by T as well, the switches where they are
+    if not cell.forced:  # by T as well, at fixed relative switches
         frames = (Frame(cell, order, functions, times, T * (1 + q)) for q in (STEP, -STEP))
         ahead, behind = (_system(cell, q) for q in frames)
         A_rate, rate, event_rate, constant_rate = (
@@ -216,7 +221,7 @@ def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Ev
 def _moved(
     cell: "BodyCell", frame: Frame, A: Complex, unknowns: Complex
 ) -> tuple[Complex, Matrix]:
-    """Return how system and events move with switches and angle, at fixed unknowns."""
+    """Return the derivatives of system and events by switches and angle, at fixed unknowns."""
     moving = Moving(frame, unknowns)
     moved = np.zeros((len(A), len(frame.laws)), dtype=complex)
     moved[: frame.waves, :-1] = moving.galerkin(A)
@@ -231,7 +236,7 @@ def _moved(
 
 
 def along(found: Evaluation, p: int, u: Vector) -> Complex:
-    """Return z at local times of a phase; shape (m, len(u))."""
+    """Return z of the whole motion at local times of phase p; shape (m, len(u))."""
     frame = found.frame
     begin, end = frame.ends[p : p + 2]
     w = (end - begin) * np.asarray(u, dtype=float)
