@@ -18,7 +18,7 @@ from .stability.stability import is_stable
 
 __all__ = ["ExactOrbit", "exact_orbit"]
 
-#: Differences of durations, as parts of a cell, below which two halves of it are alike.
+#: Largest difference of durations, relative to the cell, of two halves that are mirror images.
 SAME = 1e-9
 
 
@@ -33,10 +33,10 @@ def exact_orbit(
         The oscillator.
     durations : sequence of float
         Rough durations of the phases of one cell in s, to start from.  Default: the scene's
-        guess, then equal durations, then those on which a simulation settles; these may have
-        an order of phases that is not declared, if no other orbit is stable.
+        guess, then equal durations, then those on which a simulation settles.  The simulation
+        may settle on an undeclared order of phases, if no other orbit is stable.
     forcing_phase : float
-        Rough phase of the forcing in rad, together with `durations`.
+        Rough phase of the forcing in rad; used with `durations` only.
 
     Returns
     -------
@@ -50,7 +50,7 @@ def exact_orbit(
     ValueError
         If there are not as many durations as phases, or they are not positive.
     NoOrbit
-        If no start leads to an admissible orbit; with what each led to.
+        If no start leads to an admissible orbit; with the outcome of each.
 
     Examples
     --------
@@ -77,10 +77,10 @@ def exact_orbit(
 
 
 def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
-    """Return the exact orbit on which a simulation settles in an order that is not declared.
+    """Return the exact orbit on which a simulation settles, in an undeclared order of phases.
 
-    None if there is none, or a motion is asked for.  `beside` an unstable one it may be of a
-    declared order, and another that is unstable does not count.
+    None if there is none, or if the case names a motion.  With `beside`, next to an orbit known
+    to be unstable, declared orders count too, and unstable orbits do not.
     """
     if case.scene.motion is not None:
         return None
@@ -91,9 +91,9 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
 
 
 def _by_half(orbit: ExactOrbit) -> ExactOrbit:
-    """Return an orbit as one of half a period, if its other half is the mirror image.
+    """Return an orbit with half a period as its cell, if the other half is the mirror image.
 
-    A simulation that settles slowly does not tell that.
+    A simulation that settles slowly does not show the symmetry.
     """
     scene, durations = orbit.case.scene, orbit.cell_durations
     if not isinstance(scene, OrderedScene) or orbit.case.cycles % 2 == 0:
@@ -111,7 +111,7 @@ def _by_half(orbit: ExactOrbit) -> ExactOrbit:
 
 
 def _declared(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
-    """Yield times on which simulations settle in declared orders, but where all is known."""
+    """Yield times on which simulations settle in motions whose orbits cannot be listed."""
     for each in case.each_motion:
         if not known(each).listed:
             for settled in rough_times_by_simulation(each):
@@ -122,7 +122,7 @@ def _declared(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
 def _of_motion(
     case: Case, durations: Sequence[float] = (), forcing_phase: float = 0.0
 ) -> ExactOrbit:
-    """Return the exact orbit of a case of one motion, as `exact_orbit` does."""
+    """Return the exact orbit of a case of one motion; see `exact_orbit`."""
     given = _given(case, durations, forcing_phase)
     tried: list[str] = []
     iterations = 0
@@ -148,13 +148,14 @@ def _of_motion(
 def starts(
     case: Case, rough: Iterable[RoughTimes], tried: list[str]
 ) -> Iterator[tuple[str, RoughTimes]]:
-    """Yield rough times, then those on which a simulation settles; why not goes to `tried`.
+    """Yield rough times, then those on which simulations settle; with words for each.
 
-    With each, words for it.  Of an order that is not declared, those of a simulation come
-    first.  Where it is shown that there is no orbit, a simulation says what there is instead.
+    In an undeclared order those of simulations come first.  Else, where provably no orbit is,
+    and for bodies, whose rough times `known` has tried, they come alone.  The reason why a
+    simulation gives no times is added to `tried`.
     """
     found, undeclared = known(case), isinstance(case.scene, OrderedScene)
-    looked_at = case.scene.has_body  # where rough times lead is known of a body
+    looked_at = case.scene.has_body
     at_hand = ((each.words, each) for each in rough)
     if not (undeclared or found.none or looked_at):
         yield from at_hand
@@ -168,6 +169,7 @@ def starts(
 
 
 def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes | None:
+    """Return the given times in SI units without units; None if none are given."""
     if not len(durations):
         return None
     count = len(case.cell.phases)

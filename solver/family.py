@@ -1,8 +1,7 @@
-"""Orbits of a case at values of a parameter: those of its branches there.
+"""Orbits of a case at values of a parameter, from branches.
 
-From the orbit that is found at the first value its branch is followed through all of them.
-Where that has none, another is looked for, as `solve_case` does, and the row says that it was
-not followed.
+The branch of the orbit at the first value is followed through all values.  At a value where no
+branch has an orbit, `solve_case` looks for one, and its branch is followed as well.
 """
 
 import math
@@ -26,13 +25,13 @@ from .search import check_order
 from .solve import number_of_functions, orbit_beside, solve_case
 from .stability.monodromy import NoMultipliersError
 
-#: Order at which the times of a smooth motion in each phase are at rounding.
+#: Order at which the times of a motion that is smooth in each phase are exact to rounding.
 ORDER = 20
 
-#: Most values: more than a terminal or a file of rows is for.
+#: Largest number of values.
 MOST_VALUES = 100_000
 
-#: Most of the range of the parameter in a step.
+#: Longest step of the continuation, relative to the range of the parameter.
 PART = 0.25
 
 
@@ -55,7 +54,7 @@ def family(
     parameter : str
         The name of the parameter.
     values : array_like of float, shape (n,)
-        Its values, in SI units.  The search at a value starts from the orbit at the one before.
+        Its values, in SI units.  The branch of the orbit at the first is followed.
     method : str, optional
         See `solve`.
     order : int, optional
@@ -68,8 +67,8 @@ def family(
     Returns
     -------
     Family
-        A row for each orbit that is found at each value: several where a branch turns back
-        between, one without an orbit where none is found.
+        A row for each orbit at each value: several where a branch has folds, and one without
+        an orbit where none is found.
 
     Raises
     ------
@@ -79,7 +78,7 @@ def family(
         If there is no such parameter, method or order, no value or too many, or a value is out
         of bounds (`ParameterError`).  This is checked before anything is computed.
     Interrupted
-        A `KeyboardInterrupt`, with the orbits that were computed before.
+        A `KeyboardInterrupt`, with the rows computed before it.
 
     Examples
     --------
@@ -125,7 +124,7 @@ def family(
 
 @dataclass
 class _Rows:
-    """The rows of a family as they are found."""
+    """The rows of a family while they are computed."""
 
     parameter: str
     method: str
@@ -137,7 +136,7 @@ class _Rows:
 
     @property
     def family(self) -> Family:
-        """What has been found."""
+        """The family of the rows so far."""
         how = self.parameter, self.method, self.order, self.functions
         return Family(self.cases[0], *how, tuple(self.done))
 
@@ -155,7 +154,7 @@ class _Rows:
                 yield row
 
     def _anew(self, case: Case, value: float) -> FamilyRow:
-        """Return the row of an orbit that is not on a branch, and follow the branch from it."""
+        """Return the row of an orbit that is on no branch yet, and follow its branch."""
         try:
             orbit = solve_case(case, self.method, self.order, self.functions)
         except NoOrbit as finding:
@@ -167,7 +166,7 @@ class _Rows:
         return _row(orbit, value, followed=False)
 
     def _follow(self, exact: ExactOrbit) -> None:
-        """Follow the branch from an orbit through all values."""
+        """Follow the branch of an orbit through all values."""
         values = [each.values[self.parameter] for each in self.cases]
         bounds = min(values), max(values)
         if bounds[0] == bounds[1]:
@@ -175,14 +174,14 @@ class _Rows:
         found = BothWays(index_of(exact.case, self.parameter))
         try:
             start = start_of(exact, found.index, bounds)
-        except ArithmeticError:  # it is not isolated
+        except ArithmeticError:  # the orbit is not isolated
             return
         self.branches.append(found)
         go(found, start, PART)
 
 
 def _same(orbit: Orbit, row: FamilyRow) -> bool:
-    """Whether an orbit is that of a row, to rounding."""
+    """Whether an orbit is that of a row, in all digits."""
     return row.durations == orbit.durations and row.forcing_phase == orbit.forcing_phase
 
 
@@ -199,7 +198,7 @@ def _row(orbit: Orbit, value: float, *, followed: bool) -> FamilyRow:
 
 
 def _at_phase_zero(orbit: Orbit) -> tuple[float, float] | None:
-    """Return the state of an orbit where the phase of the forcing is 0."""
+    """Return displacement and velocity at forcing phase 0; None without a forcing."""
     if orbit.forcing_phase is None:
         return None
     omega = float(orbit.case.values[str(orbit.case.scene.frequency)])

@@ -1,4 +1,4 @@
-"""Cases whose phases have an order that the scene does not declare."""
+"""Cases with orders of phases that the scene does not declare."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -23,34 +23,34 @@ from .simulation.machine import Machine
 from .simulation.machines import machine_of
 from .simulation.settle import FEW, PHASES, from_several_states
 
-#: Most phases of an order, and most ways in which names may be meant.
+#: Most phases of an order, and most readings of its names.
 MOST_PHASES, MOST_WAYS = 100, 4096
 
 
 def cases_in_order(
     case: Case, phases: str | Sequence[str], cycles: int | None = None
 ) -> list[Case]:
-    """Return the cases in which the phases of a scene have an order.
+    """Return the cases in which the phases of a scene follow a given order.
 
-    Several, if it is not said which phases are mirrored, or the order may be that of half a
-    period as well as that of a whole one: then that of half comes first.
+    There are several if the names do not tell which phases are mirrored, or if they may be
+    those of half a period or of a whole one; half periods come first.
 
     Parameters
     ----------
     case : Case
-        Its parameters are taken.
+        Its scene and parameters.
     phases : str or sequence of str
-        Names of phases, as a text joined by commas; ``-`` in front means the mirror image of
-        one, ``mirrored`` behind them that they are half a period.  Without a minus, each may
-        be the phase or its mirror image.
+        Names of phases, in a text joined by commas.  ``-`` before a name means the mirror image
+        of the phase, ``mirrored`` at the end that they are half a period.  Without any minus,
+        each may be the phase or its mirror image.
     cycles : int, optional
-        Periods of the forcing in a period, which may be any of an order of a whole period;
-        without it those of the case.
+        Periods of the forcing in one period of the motion.  Even numbers exclude orders of half
+        a period.  Default: those of the case.
 
     Raises
     ------
     ParameterError
-        A `ValueError`: if it is not a number of cycles.
+        A `ValueError`: if `cycles` is not a number of cycles.
     UnknownScene
         A `ValueError`: if there is no such phase, or one cannot follow another.
 
@@ -77,10 +77,9 @@ def cases_in_order(
 
 
 def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
-    """Yield cases in orders on which simulations settle, with times of their cells.
+    """Yield the undeclared orders on which simulations settle: cases, and times of their cells.
 
-    Only motions of the period of the case, and none in an order that is declared.  Where those
-    from rest and from constraints come to nothing, more are tried.
+    Their motions have the period of the case.  For the starts see `from_several_states`.
     """
     base = case.of_fullest()
     listed = known(base).listed
@@ -97,7 +96,7 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
 
 
 def choices(base: LoadedScene, name: str) -> list[Step]:
-    """Return the phases that have a name, with a minus in front the mirror images.
+    """Return the phases of a name; with a minus before it their mirror images.
 
     Raises
     ------
@@ -112,10 +111,10 @@ def choices(base: LoadedScene, name: str) -> list[Step]:
 
 
 def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
-    """Return a scene of one motion by the name of the motion.
+    """Return the scene of one motion, from the name of the motion.
 
-    That of an order which is not declared is `OrderedScene.motion`; of several phases of one
-    name it means the first.
+    An undeclared order has the name `OrderedScene.motion`; where several phases have one name,
+    the first is meant.
 
     Raises
     ------
@@ -134,7 +133,7 @@ def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
 
 
 def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
-    """Return the phases that names may mean."""
+    """Return the sequences of phases that names may mean; all begin with the same phase."""
     signed = any(name.startswith("-") for name in names)
     found = [choices(base, name) for name in names]
     if base.half_period and not signed:
@@ -147,7 +146,10 @@ def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
 
 
 def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:
-    """Yield what phases may be an order of, half a period first; or that alone."""
+    """Yield the possible orders: those of half periods, then, unless `half`, of whole ones.
+
+    Before a whole period whose second half mirrors its first comes its half.
+    """
 
     def possible(order: Order) -> bool:
         return all(

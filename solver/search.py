@@ -1,4 +1,4 @@
-"""The ways to an orbit of a case of one motion by one method, and what each came to."""
+"""The search for an orbit of a case of one motion by one method, from several starts."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -21,26 +21,30 @@ from .scenes.case import Case
 from .scenes.methods import FIRST, about
 from .scenes.parameter_error import whole
 
-#: Orders of the method from whose times every other starts: it converges from rough times at
-#: the first, and where a motion has too many waves for that, at the second.
+#: Orders of the coarse orbits from whose times all methods start.  At the first Newton's method
+#: converges from rough times; a motion with many waves needs the second.
 COARSE = (5, 12)
 
-#: Added to them for each further cycle of the forcing.
+#: Added to these orders for each further cycle of the forcing.
 WAVES = 4
 
-#: Most unknowns are dense: beyond, a system takes seconds and nothing is gained.
+#: Highest order: beyond, the dense linear systems take seconds and nothing is gained.
 HIGHEST_ORDER = 400
 
 
 def search_of(case: Case, method: str, order: int, functions: int | None) -> "Search":
-    """Return the search for an orbit of a case of one motion, at an order that is checked."""
+    """Return the search for an orbit of a case of one motion, with the order checked."""
     kernel = registry.kernel(case.scene, method, functions)
     return Search(case, method, check_order(kernel, order), functions)
 
 
 @dataclass
 class Search:
-    """The ways to an orbit of a case of one motion, and what each came to."""
+    """A search for an orbit of a case of one motion, and the outcome of each start.
+
+    `words` describe the start in use, `iterations` counts those so far, `exact` tells that
+    `exact_orbit` has found one, `tried` has the reason why each start failed.
+    """
 
     case: Case
     method: str
@@ -53,11 +57,17 @@ class Search:
 
     @cached_property
     def kernel(self) -> Kernel:
-        """The method's kernel in the form that is quicker by now."""
+        """The method's kernel, compiled or not, whichever is quicker now."""
         return registry.quicker_kernel(self.case.scene, self.method, self.functions, self.order)
 
     def run(self) -> Orbit:
-        """Return an orbit."""
+        """Return the orbit of the first start that leads to one.
+
+        Raises
+        ------
+        NoOrbit
+            If none does; with the reason for each.
+        """
         for times in self.starts():
             found = self.orbit(times)
             if found is not None:
@@ -72,7 +82,7 @@ class Search:
         raise error
 
     def _what_else(self) -> Iterator[str]:
-        """Yield what explains that no orbit was found, as far as that is known."""
+        """Yield further reasons why no orbit was found, where any are known."""
         if self.exact or known(self.case).orbits:
             yield "there is an exact orbit, and from its times there is no way to one"
             return
@@ -80,16 +90,16 @@ class Search:
         yield from without_switches(self.case)
 
     def from_exact(self, exact: ExactOrbit) -> Orbit | None:
-        """Return the orbit of the method next to an exact one, if it has one."""
+        """Return the orbit of the method next to an exact one; None if there is none."""
         self.words = "the times of the exact orbit"
         starts = chain([exact.times], self.aside(exact.times))
         return next((orbit for orbit in map(self.orbit, starts) if orbit is not None), None)
 
     def aside(self, times: Vector) -> Iterator[Vector]:
-        """Yield times in which one switch is half a wave of the highest harmonic off, if any.
+        """Yield times with one switch moved by half a period of the highest harmonic.
 
-        Where the velocity jumps, harmonics have times that are that wrong, and between these
-        and the exact ones there may be no way.
+        Where the velocity jumps, the times of harmonics have errors of that size, and Newton's
+        method may not reach them from the exact times.  Other methods have none to yield.
         """
         count = len(self.case.cell.phases)
         if count == 1 or not about(self.method).is_series:
@@ -106,23 +116,23 @@ class Search:
                 yield moved
 
     def orbit(self, times: Vector) -> Orbit | None:
-        """Return the orbit to which times lead, if they lead to one."""
+        """Return the orbit to which Newton's method leads from times; None if to none."""
         found = self.note(attempt(self.kernel, self.case, self.order, times, self.functions))
         if not found.confirmed:
             found = self.less_smooth(found, times)
         return found if found.confirmed else None
 
     def note(self, found: Solution) -> Orbit:
-        """Return a result with all iterations, after its failure, if it is one, was noted."""
+        """Return a result with the iterations of all starts; if it failed, note the reason."""
         total = self.iterations + found.outcome.iterations
         orbit = Orbit.of(replace(found, iterations=total))
         self.count(orbit)
         return orbit
 
     def count(self, found: Solution) -> None:
-        """Count the iterations of a result, and note its failure if it is one.
+        """Count the iterations of a result; if it failed, note the reason.
 
-        Of a coarse one only its own is: what the exact equations say is asked of the last.
+        Of a coarse result only its own violations count: its exact neighbour is not computed.
         """
         self.iterations += found.outcome.iterations
         why = "" if found.converged else found.outcome.reason
@@ -132,10 +142,10 @@ class Search:
             self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
 
     def less_smooth(self, failed: Orbit, times: Vector) -> Orbit:
-        """Return the orbit by functions of class C^1, if no smoother ones can be told apart.
+        """Return the orbit by functions of class C^1, if the smoother method is singular.
 
-        That is so where the conditions of the method are singular at that orbit.  In any other
-        case what failed is returned.
+        That is so if its Jacobian at the times of the C^1 orbit is.  Else, or without such an
+        orbit, the failed result is returned.
         """
         name = registry.class_one(self.case.scene, failed.method)
         if name is None:
@@ -148,12 +158,12 @@ class Search:
         return failed
 
     def starts(self) -> Iterator[Vector]:
-        """Yield times to start from: those of a coarse orbit, or rough ones if none can be.
+        """Yield times to start from: those of coarse orbits and of simulations.
 
-        Those on which a simulation settles come with them; see `exact.starts`.  At last those
-        of the exact orbit, which may be found where a coarse one is not.
+        The coarse method may be missing: then rough times.  For the order see `exact.starts`.
+        The last are those of the exact orbit, which may be found where no coarse one is.
         """
-        looked_at = self.case.scene.has_body  # all that is known of a body was looked at
+        looked_at = self.case.scene.has_body  # of a body `known` tries all rough times
         rough = () if looked_at else self._coarse()
         for words, times in starts(self.case, rough, self.tried):
             self.words = words
@@ -168,7 +178,7 @@ class Search:
         yield exact.times
 
     def _coarse(self) -> Iterator[RoughTimes]:
-        """Yield the times of orbits by a coarse method, from rough times."""
+        """Yield the times of coarse orbits, from rough times; without the method, these."""
         scene = self.case.scene
         available = FIRST in registry.methods(scene)
         once = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
@@ -187,23 +197,23 @@ class Search:
                 yield RoughTimes(tuple(found.cell_durations), found.angle, rough.words)
 
     def _vector(self, times: RoughTimes) -> Vector:
-        """Return times as the unknowns of a kernel have them."""
+        """Return times as a vector: durations and, with a forcing, its phase."""
         return np.array([*times.durations, *([times.angle] if self.kernel.forced else [])])
 
 
 @lru_cache(maxsize=512)
 def _coarse_orbit(case: Case, method: str, order: int, times: tuple[float, ...]) -> Solution:
-    """Return where a coarse method leads from rough times; every method asks for the same."""
+    """Return the result of a coarse method from rough times; cached for all methods."""
     kernel = registry.quicker_kernel(case.scene, method, None, order)
     return attempt(kernel, case, order, np.array(times))
 
 
 def check_order(kernel: Kernel, value: object) -> int:
-    """Return an order as a whole number that the method can compute.
+    """Return an order as an int.
 
     Raises
     ------
     ValueError
-        If it is not one.
+        If it is no whole number from the method's lowest order to `HIGHEST_ORDER`.
     """
     return whole("order", value, kernel.lowest, HIGHEST_ORDER, f" for {kernel.method}")

@@ -23,20 +23,20 @@ def solve_case(
 ) -> Orbit:
     """Return the periodic orbit of a case, converged and admissible.
 
-    Of several motions each is tried, in their order, until an orbit is found; and if none is
-    stable, the order of phases on which a simulation settles.
+    The motions of a scene are tried in their order until an orbit is found.  If there is none,
+    or it is unstable, the order of phases on which a simulation settles is tried as well.
 
     Parameters
     ----------
     case : Case
         The oscillator.
     method : str
-        One of `registry.methods`, by its generic name or with its class.
+        One of `registry.methods`, by its generic name or the one with the class.
     order : int
         ``N``.
     functions : int, optional
-        Functions beside the harmonics at each switch, where the method counts them; 1, or 2
-        where the velocity jumps, if not given.
+        Number of functions added to the harmonics at each switch, of methods that have them.
+        Default: 1, or 2 where the velocity jumps.
 
     Raises
     ------
@@ -45,7 +45,7 @@ def solve_case(
     ValueError
         If the scene has no kernel of the method, or a number is out of its range.
     NoOrbit
-        If no start led to a converged and admissible orbit; with what each led to.
+        If no start leads to a converged and admissible orbit; with the outcome of each.
 
     Examples
     --------
@@ -87,12 +87,12 @@ def solve_case(
 def orbit_beside(
     exact: ExactOrbit, method: str, order: int, functions: int | None = None
 ) -> Orbit | None:
-    """Return the orbit of a method next to an exact one, if it has one; see `solve_case`."""
+    """Return the orbit of a method next to an exact one, or None; see `solve_case`."""
     return Search(exact.case, method, order, functions).from_exact(exact)
 
 
 def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = None) -> Case:
-    """Return the case of an order of phases of which an orbit is found, stable if one is.
+    """Return the case of an order of phases; of several, one with a stable orbit or with any.
 
     Parameters
     ----------
@@ -117,18 +117,19 @@ def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = Non
 
 
 def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
-    """Return the case of the motion that occurs, where a scene has several; else the case.
+    """Return the case of one motion that has an orbit, a stable one if possible.
 
     Parameters
     ----------
     case : Case
+        Returned itself if its scene has one motion only.
     order : int
-        Of the search, where the exact orbits of some motion cannot be listed.
+        The order of the search, if no such orbit is listed.
 
     Raises
     ------
     NoOrbit
-        If none has an orbit; with the reasons of each.
+        If no motion has an orbit; with the reasons for each.
     """
     if not case.scene.motions:
         return case
@@ -141,10 +142,10 @@ def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
 def orbits_of(
     case: Case, method: str = FIRST, order: int = 10, functions: int | None = None
 ) -> list[Orbit]:
-    """Return every admissible orbit of a case that is found, of every motion, stable first.
+    """Return all admissible orbits that are found of the motions of a case, stable ones first.
 
-    Where all solutions of the exact equations can be listed, those are all there are;
-    elsewhere it is the orbit that `solve_case` finds of each motion.
+    If the exact orbits of a motion can be listed, they are those next to these; else it is the
+    one that `solve_case` finds.
 
     Parameters
     ----------
@@ -173,9 +174,9 @@ def orbits_of(
 
 
 def number_of_functions(case: Case, method: str, wanted: int | None) -> int | None:
-    """Return the number of functions that a method has: as wanted, or as is usual.
+    """Return the number of functions of a method at each switch: as wanted, or the default.
 
-    None where it does not count functions; there, what is wanted is meant for another method.
+    None for a method without such a number; `wanted` is then meant for other methods.
     """
     if not registry.functions(case.scene, method):
         return None

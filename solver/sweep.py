@@ -1,4 +1,4 @@
-"""Convergence of the methods of a scene over orders: one row each, whatever comes of it."""
+"""Convergence of the methods of a scene over orders: one row each, with or without an orbit."""
 
 import time
 from collections.abc import Callable, Iterable, Sequence
@@ -22,14 +22,14 @@ def sweep(
     functions: int | None = None,
     progress: Callable[[SweepRow], None] = lambda row: None,
 ) -> Sweep:
-    """Solve for each method and order, and compare with the exact orbit.
+    """Return the orbits of each method and order, compared with the exact orbit.
 
     Parameters
     ----------
     case : Case
         The oscillator.
     methods : str or sequence of str, optional
-        The methods, in order.  Default: all; orders that a method does not have are left out.
+        The methods, in order.  Default: all, each without the orders below its lowest.
     orders : iterable of int
         The orders of every method.
     functions : int, optional
@@ -42,8 +42,8 @@ def sweep(
     TypeError
         If `case` is not a `Case`.
     ValueError
-        If there is no such method or order, or none is given.  This is checked before anything
-        is computed.
+        If there is no such method or order, or none is given; raised before the orbits are
+        computed.
 
     Examples
     --------
@@ -87,7 +87,7 @@ def sweep(
 
 
 def _empty(method: str, order: int, finding: NoOrbit, seconds: float = 0.0) -> SweepRow:
-    """Return the row of an orbit that was not found."""
+    """Return the row of a method and an order without an orbit."""
     nothing = (None, None, None, finding.iterations, None, None)
     return SweepRow(method, order, finding.status, *nothing, seconds, finding.in_full)
 
@@ -106,7 +106,7 @@ def _row(case: Case, method: str, order: int, functions: int | None) -> SweepRow
 
 
 def _several(name: str, values: object, what: str) -> list[Any]:
-    """Return what is asked for as a list; a `ValueError` if it is no sequence, or empty."""
+    """Return values as a list; raise a `ValueError` if they are no sequence, or empty."""
     found = [*values] if isinstance(values, Iterable) and not isinstance(values, str) else []
     if not found:
         raise ValueError(f"{name}: got {values!r:.80}, expected {what} in a sequence")
