@@ -1,1 +1,1 @@
-"""Speed against accuracy: measured, and the order that a tolerance or a budget comes to."""
+"""Speed against accuracy: measurements, and the choice of an order by tolerance or budget."""

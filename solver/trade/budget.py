@@ -1,4 +1,4 @@
-"""The best orbit of a case that is quick enough, timed on this machine."""
+"""The most accurate orbit of a case within a time budget, measured on this machine."""
 
 import math
 from functools import partial
@@ -17,10 +17,10 @@ from .measured import orders, timed
 def choose_within(
     case: Case, budget: float, method: str | None = None, functions: int | None = None
 ) -> Choice:
-    """Return the orbit with the smallest estimated errors that is solved within a time.
+    """Return the orbit with the smallest estimated errors that is computed within a budget.
 
-    Every candidate is solved and timed here, with its search from rough times and its checks;
-    a method is left at the first order that takes too long.
+    Every candidate is solved and timed, with its search from rough times and its checks.  The
+    orders of a method end with the first that exceeds the budget.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def choose_within(
     budget : float
         Seconds for one orbit.
     method : str, optional
-        The method; without it whichever has the best orbit.
+        The method.  Default: all are tried.
     functions : int, optional
         See `solve_case`.
 
@@ -38,7 +38,7 @@ def choose_within(
     ValueError
         If the budget is not a positive number of seconds, or there is no such method.
     TooSlow
-        If nothing fits.
+        If no orbit is computed within the budget.
     NoOrbit
         If no order that was tried has an orbit.
     """

@@ -1,4 +1,4 @@
-"""What a tolerance or a budget comes to: what was tried, the orbit, or why there is none."""
+"""The results of a choice by tolerance or budget: trials, the orbit, or why there is none."""
 
 import math
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from ..accuracy.estimate import ROUNDING
 from ..orbit.errors import Errors
 from ..results.orbit import Orbit
 
-#: Part of a tolerance that an estimate may use up; it is itself off by a few per cent.
+#: Largest estimate, relative to the tolerance: the estimate errs by a few per cent.
 MARGIN = 0.9
 
 
@@ -15,7 +15,7 @@ MARGIN = 0.9
 class Trial:
     """One order that was tried.
 
-    `estimate` is None where it has no orbit, `seconds` where none were to be measured.
+    `estimate` is None if it has no orbit, `seconds` if its time was not measured.
     """
 
     method: str
@@ -26,22 +26,23 @@ class Trial:
 
 @dataclass(frozen=True)
 class Choice:
-    """What a tolerance or budget led to: the orbit, and all that was tried on the way."""
+    """The orbit chosen for a tolerance or a budget, and all orders that were tried."""
 
     orbit: Orbit
     trials: tuple[Trial, ...]
 
 
 class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
-    """No orbit in float64 is as accurate as asked for, as far as the estimate can say.
+    """No orbit that was tried has estimated errors within the tolerance.
 
     Parameters
     ----------
     tol : float
-        What was asked for.
+        The tolerance.
     tried : tuple of Trial
     needed : float
-        The order at which the errors, as they fall, would meet it; infinite where they do not.
+        The order at which the errors would meet it by extrapolation; infinite if they do not
+        fall, 0 or NaN if unknown.
     """
 
     def __init__(self, tol: float, tried: tuple[Trial, ...], needed: float) -> None:
@@ -83,5 +84,5 @@ class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)
 
 
 def size(errors: Errors) -> float:
-    """Return what a tolerance bounds: errors of the switches, and of a free period."""
+    """Return the error that a tolerance bounds: the largest of times, switches and period."""
     return max(errors.times, errors.switches, abs(errors.period))

@@ -1,4 +1,4 @@
-"""Time against error for a case: each method at some orders, and the exact flow, timed."""
+"""Computing time against error for a case: each method at some orders, and the exact orbit."""
 
 import statistics
 import time
@@ -13,38 +13,38 @@ from ..scenes.case import Case
 from ..scenes.methods import EXACT, about, in_order
 from ..solve import number_of_functions, solve_case
 
-# What some work returns.
+# The result of the work that is timed.
 Found = TypeVar("Found")
 
-#: Orders of a method whose errors fall by a power of the order, and by a factor with each.
+#: Orders that are measured, of a method of algebraic convergence and of a geometric one.
 POWER_ORDERS = (1, 2, 4, 8, 16, 32, 64)
 FACTOR_ORDERS = (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 16, 18, 20)
 
-#: Seconds and rounds that are spent on measuring one piece of work.
+#: Timing is repeated until it has taken so many seconds, or so many rounds.
 MEASURED, MOST_ROUNDS = 0.01, 25
 
-#: An error below this is as good as any other in float64.
+#: Smaller errors are shown as this one: they are rounding.
 ROUNDING = 2e-16
 
 
 @dataclass(frozen=True)
 class TradePoint:
-    """One way to the orbit: what it takes, and how good it is.
+    """Computing time and error of a method at an order.
 
     Parameters
     ----------
     method : str
         Generic name, or `EXACT`.
     order, functions : int or None
-        None where the way has none.
+        None if it has none.
     seconds : float
         Median time of one orbit, with its search from rough times and its checks; of the exact
-        one from its own times.
+        orbit, started from its own times.
     error, estimate : float
-        Error of the times as a part of the period, not below rounding; and as estimated
-        without the exact orbit, 0 for the exact flow.
+        Error of the times relative to the period, at least `ROUNDING`; and its estimate without
+        the exact orbit, 0 for the exact orbit.
     front : bool
-        Whether it is on the Pareto front: nothing measured is both faster and as accurate.
+        Whether it is on the Pareto front: no other point is both faster and as accurate.
     """
 
     method: str
@@ -58,13 +58,13 @@ class TradePoint:
 
 @dataclass(frozen=True)
 class Trade:
-    """What `trade` measured, in the order of the methods."""
+    """The points that `trade` has measured, in the order of the methods."""
 
     case: Case
     points: tuple[TradePoint, ...]
 
     def front_of(self, method: str) -> list[tuple[float, float]]:
-        """Return times and errors of a method that no other order of it beats in both."""
+        """Return times and errors of a method's own Pareto front, fastest first."""
         every = [(p.seconds, p.error) for p in self.points if p.method == method]
         return sorted(every[i] for i in front(every))
 
@@ -79,23 +79,23 @@ class Trade:
 
 
 def trade(case: Case, progress: Callable[[str], None] = lambda done: None) -> Trade:
-    """Measure time against error of the times by every method.
+    """Return computing time and error of the times, by every method at several orders.
 
     Parameters
     ----------
     case : Case
         The oscillator.
     progress : callable, optional
-        Called with what has just been measured, in words.
+        Called with method and order after each measurement, in words.
 
     Raises
     ------
     NoOrbit
-        If there is no exact orbit to compare with, or none was found.
+        If no exact orbit is found to compare with.
     """
     exact = exact_orbit(case)
     start = exact.durations[: len(exact.case.cell.phases)], exact.forcing_phase or 0.0
-    _, seconds = timed(lambda: exact_orbit(exact.case, *start))  # else it is looked up
+    _, seconds = timed(lambda: exact_orbit(exact.case, *start))  # without a start it is cached
     points = [TradePoint(EXACT, None, None, seconds, ROUNDING, 0.0)]
     progress(EXACT)
     for method, order in ways(case):
@@ -115,14 +115,14 @@ def ways(case: Case) -> list[tuple[str, int]]:
 
 
 def orders(case: Case, method: str, functions: int | None) -> list[int]:
-    """Return the orders of a method that are measured: those it has."""
+    """Return the orders of a method that are measured, from its lowest on."""
     lowest = registry.kernel(case.scene, method, functions).lowest
     every = POWER_ORDERS if about(method).power else FACTOR_ORDERS
     return [order for order in every if order >= lowest]
 
 
 def _measured(case: Case, method: str, order: int) -> Iterable[TradePoint]:
-    """Return the point of one method and order; none where it has no orbit to compare."""
+    """Return the point of a method and order; none if there is no orbit with known errors."""
     try:
         orbit, seconds = timed(lambda: solve_case(case, method, order))
     except NoOrbit:
@@ -134,7 +134,7 @@ def _measured(case: Case, method: str, order: int) -> Iterable[TradePoint]:
 
 
 def front(points: Sequence[tuple[float, float]]) -> set[int]:
-    """Return which of some times and errors no other beats in both, or equals.
+    """Return the indices of the Pareto front of times and errors; of equal points the first.
 
     Examples
     --------
@@ -150,7 +150,7 @@ def front(points: Sequence[tuple[float, float]]) -> set[int]:
 
 
 def timed(work: Callable[[], Found]) -> tuple[Found, float]:
-    """Return what `work` returns, and its median time after that run fills the caches."""
+    """Return the result of `work`, and its median time in repeated runs, with filled caches."""
     found = work()
     seen: list[float] = []
     while len(seen) < MOST_ROUNDS and sum(seen) < MEASURED:

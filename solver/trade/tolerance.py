@@ -1,4 +1,4 @@
-"""The cheapest order of a method whose estimated errors are within a tolerance."""
+"""The lowest order of a method whose estimated errors are within a tolerance."""
 
 import math
 from collections.abc import Iterator
@@ -23,22 +23,23 @@ from ..search import COARSE, HIGHEST_ORDER, Search
 from ..solve import number_of_functions, solve_case, with_motion
 from .choice import MARGIN, Choice, NotCertified, Trial, size
 
-#: Up to here every order is tried; beyond, each is larger than the last by a part of it.
+#: Up to `EVERY` all orders are tried; beyond, the step is `STEP` times the order.
 EVERY, STEP = 24, 0.15
 
-#: The same of a body, each of whose orbits takes long to judge.
+#: The same for bodies, whose errors take long to estimate.
 EVERY_OF_BODIES, STEP_OF_BODIES = 3, 0.5
 
-#: Orders over which the errors must have fallen, or they will not, and the least fall.
+#: If over the last `PATIENCE` orders the least error is more than `LEAST_FALL` times that
+#: before, the errors do not fall any more.
 PATIENCE, LEAST_FALL = 8, 0.9
 
-#: Error above which a motion may have more waves than the order resolves, and falls later.
+#: Error above which the order may not resolve the waves of the motion: errors may fall later.
 RESOLVED = 1e-3
 
-#: Power of 1/N below which the errors have not begun to converge: times do by one at least.
+#: Least rate p of errors ``N^-p`` that have begun to converge: that of times is 1 at least.
 SLOWEST = 0.75
 
-#: Times the highest order that the errors must need, by their rate, to be given up.
+#: The search ends if the order needed is so many times the highest, or at low orders, so many.
 FAR, FAR_AT_FIRST = 2, 30
 
 
@@ -52,8 +53,8 @@ def choose_order(
     case : Case
         The oscillator.
     tol : float
-        Largest estimated error of the times and of the period, as a part of the period, and
-        of the displacement at switches, as a part of the largest.
+        Largest estimated error of the times and of the period, relative to the period, and of
+        the displacement at switches, relative to the largest.
     method, functions : str, int
         See `solve_case`.
 
@@ -62,7 +63,7 @@ def choose_order(
     ValueError
         If `tol` is not between 0 and 1, or there is no such method.
     NotCertified
-        If no order meets it: rounding, or more orders than can be computed.
+        If no order that can be computed meets it, or it is below rounding.
     NoOrbit
         If no order that was tried has an orbit.
     """
@@ -99,9 +100,10 @@ class _Search:
     finding: NoOrbit | None = None
 
     def orders(self, lowest: int) -> Iterator[int]:
-        """Yield the orders to try, the highest at last.
+        """Yield the orders to try, ending with the highest.
 
-        Where none has had an orbit they are doubled: more than a few resolve a short phase.
+        Above `COARSE`, as long as none had an orbit, they are doubled: a short phase may need
+        a high order.
         """
         of_body, order = self.case.scene.has_body, lowest
         every, step = (EVERY_OF_BODIES, STEP_OF_BODIES) if of_body else (EVERY, STEP)
@@ -114,7 +116,7 @@ class _Search:
         yield HIGHEST_ORDER
 
     def meets(self, order: int) -> Orbit | None:
-        """Return the orbit of an order if it is within the tolerance; note what it is."""
+        """Return the orbit of an order if it is within the tolerance; note the trial."""
         name = shown(self.case.scene, self.method)
         far = self._beyond(order)
         if far is not None:
@@ -129,9 +131,9 @@ class _Search:
         return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
 
     def _orbit(self, order: int) -> Orbit | None:
-        """Return the orbit of an order, if one is found.
+        """Return the orbit of an order; None if none is found.
 
-        Beyond coarse ones, behind one that had none, it starts from the exact orbit alone.
+        Above `COARSE`, after an order without an orbit, only the exact orbit is a start.
         """
         behind_none = bool(self.trials) and self.trials[-1].estimate is None
         if not (order > max(COARSE) and behind_none and self._exact):
@@ -148,9 +150,9 @@ class _Search:
         return found
 
     def _beyond(self, order: int) -> Errors | None:
-        """Return the errors of a body's solution next to its exact orbit, if too large.
+        """Return the errors of a body's solution against its exact orbit, if too large.
 
-        Then there is nothing to judge, which takes longer than the solution.
+        Then they need not be estimated, which takes longer than the solution.
         """
         exact = next(iter(known_orbits(self.case)), None) if self.case.scene.has_body else None
         if exact is None:
@@ -163,7 +165,10 @@ class _Search:
         return errors
 
     def lowest(self, fails: int, meets: int, orbit: Orbit) -> Orbit:
-        """Return the orbit of the lowest order between one that fails and one that meets."""
+        """Return the orbit of the lowest order within the tolerance, by bisection.
+
+        `orbit` is that of the order `meets`; the order `fails` is not within the tolerance.
+        """
         while meets - fails > 1:
             middle = (fails + meets) // 2
             found = self.meets(middle)
@@ -174,14 +179,15 @@ class _Search:
         return orbit
 
     def known(self) -> list[tuple[int, float]]:
-        """Return the orders whose errors are known, and these."""
+        """Return the orders with finite error estimates, and the errors."""
         sizes = [(t.order, size(t.estimate)) for t in self.trials if t.estimate is not None]
         return [(order, error) for order, error in sizes if math.isfinite(error)]
 
     def needed(self) -> float:
-        """Return the order at which the errors as they fall now would meet the tolerance.
+        """Return the order at which the errors would meet the tolerance, by extrapolation.
 
-        Infinite where they do not fall any more; 0 where too little is known.
+        Infinite if they do not fall any more; 0 if they converge geometrically, or if too few
+        orders are known.
         """
         known, last = self.known(), self.trials[-1].order
         if len(known) < 2 * PATIENCE:
@@ -200,14 +206,14 @@ class _Search:
 
     @cached_property
     def _exact(self) -> ExactOrbit | None:
-        """The exact orbit, if it is known: any order starts from it, else all start alike."""
+        """The exact orbit; None if none is found."""
         try:
             return exact_orbit(self.case)
         except NoOrbit:
             return None
 
     def hopeless(self) -> bool:
-        """Whether no order that can be computed will do; a fit to few orders is not trusted."""
+        """Whether no computable order can be expected to do; see `FAR`."""
         if not self.known():
             return self.trials[-1].order > max(COARSE) and self._exact is None
         far = FAR if self.trials[-1].order > 2 * EVERY else FAR_AT_FIRST
