@@ -1,1 +1,1 @@
-"""What every result can do: draw itself, become a table, show itself in a notebook."""
+"""Results as plots, as tables, and in notebooks."""

@@ -1,14 +1,14 @@
-"""Documents of results: the version of what their keys mean, and numbers that JSON has."""
+"""JSON documents of results: the version of their schema, and numbers that JSON can hold."""
 
 import math
 from typing import Any
 
-#: Version of documents: what a reader may expect of their keys.
+#: Version of the keys of documents, and of their meaning.
 SCHEMA = 2
 
 
 def finite(value: Any) -> Any:
-    """Return a document with None for numbers that JSON has no word for.
+    """Return a document with None for infinite numbers and NaN, which JSON does not have.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Tables as those of pandas and xarray, where these are installed."""
+"""Tables as objects of pandas and xarray, where these are installed."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -35,10 +35,10 @@ def dataset(table: "Table") -> Any:
 
 
 def arrays(table: "Table") -> dict[str, tuple[tuple[str, ...], Any]]:
-    """Return the columns of a table as arrays over its index, and the index itself.
+    """Return the columns of a table as arrays over its index, with their dimensions.
 
-    Over one coordinate an array has the values of its column; over two, those of the row of
-    each pair, and where there is no such row NaN, 0 or no word.
+    With one coordinate an array is the column itself.  With several it is a grid, with NaN, 0
+    or "" where the table has no row.
     """
     columns = {name: column(values) for name, values in table.columns.items()}
     labels, places = _grid([columns[name] for name in table.index])
@@ -55,7 +55,7 @@ def arrays(table: "Table") -> dict[str, tuple[tuple[str, ...], Any]]:
 
 
 def column(values: Any) -> Any:
-    """Return a column as an array: of whole numbers, of floats with NaN, or of words."""
+    """Return a column as an array of strings, integers or floats; None becomes "" or NaN."""
     if isinstance(values, np.ndarray):
         return values
     known = [value for value in values if value is not None]
@@ -67,7 +67,7 @@ def column(values: Any) -> Any:
 
 
 def _grid(index: "list[Vector]") -> "tuple[list[Vector], Any]":
-    """Return the values of each coordinate, and the place of each row among them."""
+    """Return the distinct values of each coordinate, and the index of each row in the grid."""
     if len(index) == 1:
         return index, slice(None)
     labels, places = [], []

@@ -1,4 +1,4 @@
-"""How results show themselves in a notebook: a small table, and a picture of it as SVG."""
+"""Results in a notebook: a small table as HTML, and a plot as SVG."""
 
 import io
 from collections.abc import Callable, Mapping
@@ -6,15 +6,15 @@ from html import escape
 from importlib.util import find_spec
 from typing import Any
 
-#: Inches of a picture beside a table.
+#: Width and height of a plot, in inches.
 SIZE = (3.6, 2.7)
 
-#: Rows of a long result that are shown at its beginning and at its end.
+#: Number of rows of a long result that are shown at its beginning, and at its end.
 MOST = 24
 
 
 def facts(rows: Mapping[str, str]) -> str:
-    """Return names and texts as a small table in HTML; what is empty is left out."""
+    """Return names and texts as a small table in HTML, without empty texts."""
     cells = (
         f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>"
         for name, text in rows.items()
@@ -24,7 +24,7 @@ def facts(rows: Mapping[str, str]) -> str:
 
 
 def svg(draw: Callable[[Any], Any]) -> str:
-    """Return what a function draws on axes as SVG; nothing where matplotlib is missing."""
+    """Return the plot of a function of axes as SVG; an empty text without matplotlib."""
     if find_spec("matplotlib") is None:
         return ""
     from ...plots.axes import on_axes  # noqa: PLC0415  (an extra)
@@ -36,7 +36,7 @@ def svg(draw: Callable[[Any], Any]) -> str:
 
 
 def of_rows(head: str, text: str, draw: Callable[[Any], Any]) -> str:
-    """Return a result of many rows: a line, its rows as text, and its picture."""
+    """Return a result of many rows in HTML: a headline, its rows as text, and its plot."""
     lines = text.splitlines()
     if len(lines) > 2 * MOST + 2:
         left_out = f"... {len(lines) - 2 * MOST - 1} more"

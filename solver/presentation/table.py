@@ -1,4 +1,4 @@
-"""A result as a table: flat columns of numbers, their units, and what it is about."""
+"""Results as tables: flat columns, their units, and the data that all rows share."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -9,7 +9,7 @@ from .notebook import of_rows
 if TYPE_CHECKING:
     from ..scenes.case import Case
 
-#: What is told of a motion over time, and its units.
+#: The columns of a motion over time, and their units.
 COURSE = {"t": "s", "displacement": "m", "velocity": "m/s", "acceleration": "m/s**2"}
 
 
@@ -20,13 +20,13 @@ class Table:
     Parameters
     ----------
     index : tuple of str
-        The columns by which a row is found: its coordinates.
+        The columns that are coordinates of the rows.
     columns : mapping of str to sequence
         Numbers, or words; None or NaN where there is no number.
     units : mapping of str to str
-        Of the columns that have one, in SI.
+        The SI units of the columns that have one.
     about : mapping of str to (str or number)
-        What is the same for all rows: scene, method, parameters.
+        Data that all rows share: scene, method, parameters.
     """
 
     index: tuple[str, ...]
@@ -35,24 +35,23 @@ class Table:
     about: Mapping[str, Any] = field(default_factory=dict)
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return the rows, each with its columns and with what is the same for all."""
+        """Return the rows as mappings, each with the data that all share."""
         every = zip(*self.columns.values(), strict=True)
         return [dict(zip(self.columns, row, strict=True)) | dict(self.about) for row in every]
 
 
 class Tabular:
-    """A result that is a table, for pandas and xarray."""
+    """A result with a table, for pandas and xarray."""
 
     def table(self) -> Table:
-        """Return the columns, with their units."""
+        """Return the result as a table."""
         raise NotImplementedError
 
     def to_dataframe(self) -> Any:
-        """Return a `pandas.DataFrame`: a row each, a column a number.
+        """Return the table as a `pandas.DataFrame`.
 
-        ``attrs["units"]`` has the units of the columns, in SI; the rest of ``attrs`` what is
-        the same for all rows: scene, method, order and parameters.  Needs the extra
-        ``pandas``.
+        ``attrs["units"]`` has the SI units of the columns; the rest of ``attrs`` the data that
+        all rows share: scene, method, order and parameters.  Needs the extra ``pandas``.
 
         Raises
         ------
@@ -64,10 +63,10 @@ class Tabular:
         return dataframe(self.table())
 
     def to_xarray(self) -> Any:
-        """Return an `xarray.Dataset`: variables over named coordinates.
+        """Return the table as an `xarray.Dataset`: variables over named coordinates.
 
-        Each variable has its unit, in SI, in ``attrs["units"]``; ``attrs`` of the whole has
-        what `to_dataframe` has.  Needs the extra ``xarray``.
+        Each variable has its SI unit in ``attrs["units"]``; ``attrs`` of the dataset has the
+        data that all rows share.  Needs the extra ``xarray``.
 
         Raises
         ------
@@ -80,24 +79,27 @@ class Tabular:
 
 
 class OfRows(Tabular):
-    """A result of a row for each of many orbits of a case."""
+    """A result with a row for each of many orbits of a case."""
 
     case: "Case"
     functions: int | None
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw it on axes, new ones without `ax`, and return these."""
+        """Draw the result on `ax`, by default on new axes, and return the axes."""
         raise NotImplementedError
 
     def head(self, **how: Any) -> dict[str, Any]:
-        """Return the beginning of its document: the case, and how its orbits were computed."""
+        """Return the first keys of its document: the case, `how` its orbits were computed."""
         scene = self.case.scene
         found: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
         found |= {"motion": scene.motion, "cycles": self.case.cycles, **how}
         return found | {"functions": self.functions, "parameters": dict(self.case.values)}
 
     def about(self, **how: Any) -> dict[str, Any]:
-        """Return what a table says of all rows: the same, without what there is none of."""
+        """Return the data that all rows of the table share: `head` without empty entries.
+
+        The parameters are left out as well.
+        """
         found = self.head(**how)
         del found["parameters"]
         return {name: value for name, value in found.items() if value is not None}
@@ -107,10 +109,10 @@ class OfRows(Tabular):
 
 
 def flat(rows: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
-    """Return rows of nested numbers as columns, with the names of what holds them in front.
+    """Return rows of nested numbers as flat columns, whose names tell the nesting.
 
-    A mapping under ``errors`` becomes columns ``error_...``; a pair, two columns ``least_...``
-    and ``largest_...``; a longer sequence, columns numbered from 1; None stays None.
+    A mapping ``errors`` becomes columns ``error_...``; a pair in a mapping, two columns
+    ``least_...`` and ``largest_...``; a sequence, columns numbered from 1; None stays None.
 
     Examples
     --------
