@@ -2,8 +2,8 @@
 
 At given durations every event is linear in the cosine and the sine of the forcing's phase.  So
 one phase has a closed form: two solutions or none.  Two phases leave one function of one
-duration, whose sign changes are scanned.  The scan is made on the slow modes alone, where the
-others answer statically; Newton's method takes each root to the whole body.
+duration, whose sign changes are scanned.  The scan uses the slow modes and the static response
+of the others; Newton's method refines each root with the whole body.
 
 For more phases the first start is the linear response of the slow modes, which is quick.  If
 it does not lead to a stable orbit, starts on a grid follow: first those at which the events
@@ -54,8 +54,8 @@ SAME = 1e-7
 #: Least divisor of events.
 TINY = 1e-300
 
-#: Times at which the size of one phase is evaluated; the angle that a pole turns over it above
-#: which rounding errors grow with that angle.
+#: Number of times at which the size of the forced response of one phase is evaluated; ``|s| T``
+#: of a pole above which rounding errors grow with it.
 FEW, FAST = 8, 1e3
 
 #: How far Newton's method may move from a solution in closed form, relative to the cell.
@@ -79,9 +79,9 @@ def solutions(case: Case) -> Iterator[ExactOrbit]:
 
 
 def complete(cell: BodyCell, found: Sequence[ExactOrbit]) -> bool:
-    """Whether `found` has all solutions of a cell, which can be shown for one forced phase.
+    """Whether `found` provably has all solutions of a cell; known for one forced phase only.
 
-    False in a resonance in which periodicity and event leave the state undetermined.
+    False at a resonance, where periodicity and event do not determine the state.
     """
     if not cell.forced or len(cell.phases) > 1:
         return False
@@ -93,15 +93,15 @@ def complete(cell: BodyCell, found: Sequence[ExactOrbit]) -> bool:
 
 
 def listed(cell: BodyCell) -> bool:
-    """Whether the solutions of a cell are listed as far as a scan goes."""
+    """Whether the solutions of a cell can be listed, in closed form or by a scan."""
     return cell.forced and len(cell.phases) <= 2
 
 
 def _of_one_phase(cell: BodyCell) -> tuple[list[float], bool]:
     """Return the phases of the forcing at which one phase is periodic and ends by its event.
 
-    These are linear conditions on state, cos and sin.  The second value is whether these
-    angles are all, with one state each.
+    These conditions are linear in state, cos and sin.  The second value is whether there are
+    no other solutions.
     """
     (part,), here = parts_of(cell), later(cell.omega * cell.duration)
     ways = phase_map(part, cell.duration * np.linspace(0, 1, FEW + 1)[1:])
@@ -113,7 +113,7 @@ def _of_one_phase(cell: BodyCell) -> tuple[list[float], bool]:
     event = np.hstack([gradient @ along, gradient @ by_wave + waves @ here])
     if not (np.isfinite(closing).all() and np.isfinite(event).all()):
         return [], False
-    added = np.abs(ways[1]).max() or 1.0  # states are in this unit
+    added = np.abs(ways[1]).max() or 1.0  # the unit of states below
     closing[:, size:] /= added
     event[:size] *= added
     rows = np.vstack([closing, event / (np.abs(event).max() or 1.0)])
@@ -132,7 +132,7 @@ def _of_one_phase(cell: BodyCell) -> tuple[list[float], bool]:
 
 
 def slow(cell: BodyCell) -> BodyCell:
-    """Return a cell with the slow modes of its body; the others answer statically."""
+    """Return a cell with the slow modes of its body, and the static response of the others."""
     body = cell.body
     speed = np.sqrt(np.abs(body.squares))
     count = max(SLOW, int((speed <= BELOW * cell.omega).sum()))
@@ -228,7 +228,7 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
         determinant = a * e - b * d
         if c == f == 0:
             angles = _angles(a, b, 0.0)
-        elif determinant == 0:  # any angle would do, or what grows is beyond float64
+        elif determinant == 0:  # the angle is undetermined, or growth is beyond float64
             continue
         else:
             sin, cos = (c * d - a * f) / determinant, (b * f - c * e) / determinant

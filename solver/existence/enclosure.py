@@ -1,12 +1,15 @@
 """All roots of ``D**2 = P**2 + Q**2`` on an interval, and whether none can be missing.
 
-D, P and Q are smooth.  On pieces short enough each is an interpolant in Chebyshev polynomials,
-whose last coefficients bound what it leaves out and whose others bound its derivatives.  A part
-of a piece is left out where the distance of ``|D|`` from ``R = hypot(P, Q)`` at its middle, or
-``D**2 - R**2`` there, is more than can change on it.  It has one root at most of ``D = R``, and
-one of ``D = -R``, where D is steeper than R; and one in all where ``D**2 - R**2`` is monotonic.
-Anything else is halved.  Two roots on both sides of a zero of D, however near, are roots of two
-equations: they cannot be taken for none.
+D, P and Q are smooth.  On short pieces each is interpolated by Chebyshev polynomials; the last
+coefficients estimate the error, the others bound derivatives.  With ``R = hypot(P, Q)``:
+
+- A part of a piece has no root if ``|D| - R`` or ``D**2 - R**2`` at its middle is larger than
+  its possible change on the part.
+- It has at most one root of ``D = R`` and one of ``D = -R`` if D is steeper than R, and at most
+  one root in all if ``D**2 - R**2`` is monotonic.
+- Else it is halved.
+
+Two close roots on both sides of a zero of D belong to different equations: both are found.
 """
 
 from collections.abc import Callable
@@ -23,7 +26,8 @@ from ..orbit.chebyshev import interpolation
 #: multiplied by a positive number of that row.
 Function = Callable[[Matrix], Matrix]
 
-#: Degree of an interpolant; its last coefficients, as a part of the largest, once resolved.
+#: Degree of an interpolant; the number of its last coefficients, and their size, relative to
+#: the largest, once it is resolved.
 DEGREE, LAST, RESOLVED = 24, 3, 1e-12
 
 #: Size of last coefficients that may be rounding, and the factor by which halving a piece must
@@ -33,13 +37,13 @@ NOISE, LOWER = 1e-4, 4.0
 #: Most pieces, and most parts of pieces at a time.
 MOST_PIECES, MOST_PARTS = 600, 4000
 
-#: Most bisections: of a piece until it is resolved, of a part, of a part with one root.
+#: Most halvings: of a piece until it is resolved, of a part, of a part with one root.
 SHORTEST, DEEPEST, HALVINGS = 12, 40, 48
 
 #: Relative distance below which doubtful intervals are joined.
 BESIDE = 1e-9
 
-#: How much larger the error of an interpolant may be than its last coefficients.
+#: Bound of the error of an interpolant, relative to its last coefficients.
 FACTOR = 8.0
 
 
@@ -47,9 +51,8 @@ FACTOR = 8.0
 class Roots:
     """The roots: their places, and the signs of D there, ``D = sign * R``.
 
-    Places are right to about 1e-12 of the distance from the nearer end.  In `doubtful`
-    intervals, shape (n, 2), there may be others, or none; `resolved` says whether the functions
-    are resolved on all pieces.
+    The error of a place is about 1e-12 of the distance from the nearer end.  In `doubtful`
+    intervals, shape (n, 2), there may be further roots; `resolved` is whether all pieces are.
     """
 
     places: Vector
@@ -116,7 +119,7 @@ def _pieces(function: Function, edges: Vector) -> Pieces:
 
 
 def _values(C: Matrix, w: Vector) -> Matrix:
-    """Return the values of interpolants, a row of coefficients each, each at its own place."""
+    """Return the values of interpolants, each row of coefficients at its own place."""
     return np.asarray(np.einsum("fnk,nk->fn", C, chebyshev.chebvander(w, C.shape[2] - 1)))
 
 
@@ -172,7 +175,7 @@ def _difference(C: Matrix) -> Matrix:
 
 
 def _joined(low: Vector, high: Vector) -> Matrix:
-    """Return intervals in order, those that touch made one."""
+    """Return intervals in order; those that touch are merged."""
     order = np.argsort(low)
     low, high = low[order], np.maximum.accumulate(high[order])
     apart = low[1:] > high[:-1] * (1 + BESIDE)
@@ -187,7 +190,7 @@ def _place(parts: Pieces, w: Vector) -> Vector:
 def _bisected(
     parts: Pieces, which: Indices, low: Vector, high: Vector
 ) -> tuple[Vector, Vector]:
-    """Return the roots of ``D = R`` and ``D = -R`` in parts where these change their sign."""
+    """Return the roots of ``D = R`` and ``D = -R`` in parts at whose ends the signs differ."""
     places, signs = [], []
     for sign in (1.0, -1.0):
         C = parts.coefficients[:, which]
@@ -207,7 +210,7 @@ def _above(sign: float, C: Matrix, w: Vector) -> Vector:
 def halved(
     side: Callable[[Vector], Vector], low: Vector, high: Vector, halvings: int
 ) -> Vector:
-    """Return by bisection where `side` changes from its value at `low`, by interval."""
+    """Return by bisection the place in each interval where `side` changes."""
     begin = side(low)
     for _ in range(halvings):
         middle = (low + high) / 2

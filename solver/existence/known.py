@@ -1,9 +1,9 @@
-"""What is known of the exact orbits of a case of one motion: all of them, some, or nothing.
+"""The exact orbits of a case of one motion that can be listed: all of them, some, or none.
 
 Where a forcing fixes the duration of a cell, the exact equations have solutions that can be
 listed: of one free phase in closed form (see `one_phase`), of two by the roots of one function
-of one duration (see `two_phases`).  If the list is complete, no search is needed to say that
-there is no orbit, and none can find a wrong one.
+of one duration (see `two_phases`).  If the list is complete and has no orbit, it is proved that
+there is none.
 """
 
 import math
@@ -65,7 +65,7 @@ class Known:
 
 @lru_cache(maxsize=64)
 def known(case: Case) -> Known:
-    """Return what is known of the exact orbits of a case of one motion.
+    """Return the exact solutions of a case of one motion, as far as they can be listed.
 
     Examples
     --------
@@ -105,7 +105,7 @@ def known_orbits(case: Case) -> list[ExactOrbit]:
         replace(orbit, case=each) if orbit.case.scene.folder != each.scene.folder else orbit
         for each in case.each_motion
         for orbit in known(each).orbits
-    )  # a copy of a scene is equal to it, but for the methods that it has
+    )  # a copy of a scene compares equal, but may have other methods
 
 
 def others(orbit: ExactOrbit) -> list[ExactOrbit]:

@@ -2,8 +2,8 @@
 
 The duration of the phase is known.  With ``C = cos phi`` and ``S = sin phi`` of the forcing at
 its start the end of the phase is linear in ``u = (x, x', C, S)``, and so are all conditions:
-three rows ``A u = b`` beside ``C^2 + S^2 = 1``.  So there are two solutions, one, none, or,
-where the rows depend on each other, none or infinitely many: no search is needed to say which.
+three rows ``A u = b`` beside ``C^2 + S^2 = 1``.  So there are two solutions, one or none; if
+the rows are linearly dependent, none or infinitely many.
 """
 
 import math
@@ -60,7 +60,7 @@ def solutions(cell: Cell) -> Solutions:
     direction = np.linalg.svd(A)[2][-1]
     particular, _, rank, singular = np.linalg.lstsq(A, b, rcond=ROUNDING)
     left, size = (float(np.abs(each).max()) for each in (A @ particular - b, b))
-    if left > ROUNDING * size:  # a solution is as large as this is over what was neglected
+    if left > ROUNDING * size:  # a solution has the size of this over neglected singular values
         none = rank < len(b) and left > FAR * singular[rank] * max(1.0, size)
         return Solutions((), none)
     if rank < len(b):
@@ -73,7 +73,7 @@ def solutions(cell: Cell) -> Solutions:
 def _units(cell: Cell) -> tuple[float, float]:
     """Return a displacement of the size of the motion, and a rate of its changes.
 
-    What is rounding of the rows is seen in these units, however stiff or slow the phase is.
+    In these units the rounding errors of the rows are small for stiff and for slow phases.
     """
     phase, omega = cell.phases[0], cell.omega
     stiffness = max(phase.k, phase.c * omega, phase.m * omega**2)
@@ -81,7 +81,7 @@ def _units(cell: Cell) -> tuple[float, float]:
 
 
 def on_the_circle(point: Vector, direction: Vector) -> Solutions:
-    """Return where the line of solutions of the rows meets ``C^2 + S^2 = 1``."""
+    """Return the points ``C^2 + S^2 = 1`` on a line of solutions of the rows."""
     size = max(1.0, math.hypot(*point[-2:]))  # its square may be beyond float64
     p, n, one = point[-2:] / size, direction[-2:], (1.0 / size) ** 2
     a, half, c = float(n @ n), float(p @ n), float(p @ p) - one

@@ -1,4 +1,4 @@
-"""Explanations where no orbit is found: a proof, or the motion that there is instead."""
+"""Reasons why no orbit is found: a proof that there is none, or a motion without switches."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -23,12 +23,14 @@ NEAR = 1e-9
 
 
 def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
-    """Return a `NoOrbit` with a proof that there is none, if there is one: see `known`.
+    """Return a `NoOrbit` if it is proved that there is no orbit, else None; see `known`.
 
     Parameters
     ----------
+    case : Case
+        Of one motion.
     tried : iterable of str
-        What searches led to; what simulations settle on is repeated from it.
+        The outcomes of starts; those of simulations are repeated.
     """
     found = known(case)
     if not found.none:
@@ -91,7 +93,8 @@ def not_decided(case: Case) -> Iterator[str]:
 class WithoutSwitches:
     """A periodic motion without switches: the response of one phase to the forcing.
 
-    From `least` to `largest` displacement in m; `stable` is None where perturbations last.
+    `least` and `largest` are displacements in m; `stable` is None if perturbations neither grow
+    nor decay.
     """
 
     case: Case
@@ -109,7 +112,7 @@ class WithoutSwitches:
         )
 
     def as_dict(self) -> dict[str, Any]:
-        """Return it as JSON has it."""
+        """Return the motion as a JSON document."""
         return {
             "motion": f"{self.phase}, without switches",
             "period": 2 * math.pi / self.case.values[str(self.case.scene.frequency)],
@@ -135,10 +138,10 @@ def motions_without_switches(case: Case) -> list[WithoutSwitches]:
 
 
 def without_switches(case: Case) -> Iterator[str]:
-    """Yield in words how a mass moves in one phase for ever, where that is an explanation.
+    """Yield in words that a phase may last for ever.
 
-    In resonance its amplitude has no bound; or the response to the forcing stays within what
-    the phase demands, and is itself a periodic motion, one without switches.
+    Either it is in resonance, so that amplitudes grow without bound, or the response to the
+    forcing meets its demands and is a periodic motion without switches.
     """
     for phase in dict.fromkeys(case.cell.phases if case.cell.forced else ()):
         if phase.g and not phase.held and _order_of_resonance(case, phase) == 1:
@@ -169,9 +172,9 @@ def _resonance(case: Case, phase: Phase) -> str:
 
 
 def _within(case: Case, phase: Phase) -> tuple[float, float, bool | None] | None:
-    """Return the extremes of the response of a phase to the forcing, if its demands allow it.
+    """Return the extremes of the response of a phase to the forcing; None if it cannot last.
 
-    The third value is whether it is stable; None where perturbations last.
+    The third value is whether it is stable; None if perturbations neither grow nor decay.
     """
     if isinstance(case.cell, BodyCell):
         return in_one_phase(case.cell, case.cell.phases.index(phase))

@@ -1,19 +1,18 @@
 """All solutions of the exact equations of a forced cell of two phases.
 
-The cell is as long as the forcing makes it, so one duration s says both.  At given durations
-all conditions are linear in the states, in the memory and in ``C = cos phi`` and
-``S = sin phi``, and there are as many of them.  By Cramer's rule ``C = P/D`` and ``S = Q/D``
-with three determinants, smooth functions of s, and what is left is one equation,
+The forcing fixes the duration of the cell, so the unknown duration s of the first phase gives
+that of the second.  At given s the conditions are a square linear system for the states, the
+memory, ``C = cos phi`` and ``S = sin phi``.  By Cramer's rule ``C = P/D`` and ``S = Q/D`` with
+three determinants, smooth functions of s.  There remains one equation,
 
     D(s)^2 = P(s)^2 + Q(s)^2,     0 < s < duration of the cell.
 
-No guess of a duration or of the phase of the forcing is needed, and nothing depends on where an
-iteration leads.  Where all conditions are homogeneous but for the forcing, P and Q
-vanish: then the roots are those of D, and C and S are what the conditions leave free there.
+Its roots need no starting values.  If all conditions are homogeneous but for the forcing, P
+and Q vanish: the roots are those of D, and C and S are from the null vector of the system.
 
 All roots are found if every phase lasts longer than `SHORTEST` of the cell, the determinants
-are resolved by their interpolants, and no two roots of the same sign of D are nearer to each
-other than rounding tells; see `enclosure`.  These hypotheses are checked.
+are resolved by their interpolants, and any two roots of the same sign of D are further apart
+than rounding errors; see `enclosure`.  These hypotheses are checked.
 """
 
 import math
@@ -34,16 +33,16 @@ SHORTEST, LONGER = 1e-10, 3.0
 #: Most doubtful intervals from which Newton's method is tried; bisections of each.
 DOUBTFUL, HALVINGS = 6, 40
 
-#: Rounding of the equation; of determinants that vanish.
+#: Relative rounding error of the equation; absolute one of determinants that vanish.
 ROUNDING, NOTHING = 1e-11, 1e-14
 
 
 @dataclass(frozen=True)
 class Solutions:
-    """The durations and the phase of the forcing at each solution, without units.
+    """The durations and the phase of the forcing of each solution, without units.
 
-    Those that were found are right to a part in 1e-9 and better; Newton's method does the rest.
-    Where it is `doubtful` there may be a solution, or none; `complete` if there are no others.
+    Those `found` have relative errors below 1e-9, and are starts for Newton's method.  Near the
+    `doubtful` times there may be a solution or none.  `complete`: there are no others.
     """
 
     found: tuple[tuple[tuple[float, float], float], ...]
@@ -52,7 +51,7 @@ class Solutions:
 
 
 def applies(cell: Cell) -> bool:
-    """Whether a cell is two phases under a forcing."""
+    """Whether a cell has two phases and a forcing."""
     return cell.forced and len(cell.phases) == 2
 
 
@@ -105,9 +104,9 @@ def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
 
 
 def vanishing(cell: Cell) -> list[Phase]:
-    """Return the phases of zero duration in a limit that satisfies the equations to rounding.
+    """Return the phases that last no time in a limit that satisfies the equations to rounding.
 
-    Also those shorter than `SHORTEST` in a solution.
+    Those that are shorter than `SHORTEST` in a solution are included.
 
     Examples
     --------
@@ -128,9 +127,9 @@ def vanishing(cell: Cell) -> list[Phase]:
 
 
 def _shorter(cell: Cell) -> Vector:
-    """Return for each phase whether a solution has it shorter than `SHORTEST`.
+    """Return for each phase whether it is shorter than `SHORTEST` in a solution.
 
-    The equation changes its sign between duration 0 and `SHORTEST`.
+    There the residual of the equation changes sign between durations 0 and `SHORTEST`.
     """
     first = cell.duration * np.array([[0, SHORTEST], [1, 1 - SHORTEST]])
     with np.errstate(all="ignore"):
@@ -147,9 +146,9 @@ def _edges() -> Vector:
 
 
 def _determinants(cell: Cell, durations: Matrix) -> Matrix:
-    """Return D, P and Q at durations of the first phase, each of their shape.
+    """Return D, P and Q at durations of the first phase; shape (3, *durations.shape).
 
-    Those of one row of durations have a common factor, by which they are of moderate size.
+    Those of one row of durations are scaled by a common factor to moderate size.
     """
     A, b = (
         part.reshape(*durations.shape, *part.shape[1:])
@@ -166,7 +165,7 @@ def _determinants(cell: Cell, durations: Matrix) -> Matrix:
 
 
 def _of_first(cell: Cell, first: Vector) -> Matrix:
-    """Return the durations of both phases by those of the first."""
+    """Return the durations of both phases from those of the first."""
     return np.column_stack([first, cell.duration - first])
 
 
@@ -192,8 +191,8 @@ def _starts(
 def rows(cell: Cell, durations: Matrix) -> tuple[Matrix, Matrix]:
     """Return A and b of the conditions of a cell at durations of its phases, shape (T, P).
 
-    Unknowns: the states, the memory, C and S.  Rows: two of continuity and the event of each
-    phase, and what the memory is set to.
+    Unknowns: the states, the memory, C and S.  Rows: for each phase the two of its switch and
+    its event, then the values of the memory.
     """
     more, phases = len(cell.memory), len(cell.phases)
     states, behind = 2 * phases, 3 * phases
@@ -233,7 +232,7 @@ def rows(cell: Cell, durations: Matrix) -> tuple[Matrix, Matrix]:
 
 
 def _end(phase: Phase, omega: float, begin: Vector, s: Vector) -> tuple[Matrix, ...]:
-    """Return the end of a phase: by its start, constant, by a unit force, by C and by S."""
+    """Return the final state of a phase: by initial state, constant, by unit force, C and S."""
     zero = np.zeros_like(s)
     if phase.held:
         one, speed = np.ones_like(s), np.full_like(s, phase.speed)
