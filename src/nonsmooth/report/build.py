@@ -1,4 +1,4 @@
-"""From an oscillator to a folder: the scan, the pictures, the page."""
+"""The report on an oscillator, written into a folder: the scan, the pictures, the page."""
 
 import math
 from collections.abc import Callable
@@ -19,10 +19,10 @@ from .intervals import SCANNED, scan
 from .page import page
 from .pictures import LOOK, SIZE, figure, files, write_report
 
-#: Names of the pictures, that of the claims last.
+#: Names of the pictures; the last is the map of the claims.
 PICTURES = (*FIGURES, "claims")
 
-#: How often progress is told: the scan, the pictures, the page.
+#: Number of steps of which progress is reported: the scan, the pictures, the page.
 STEPS = SCANNED + len(PARTS) + len(PICTURES) + 1
 
 #: Every file of a report.
@@ -30,7 +30,7 @@ FILES = files(PICTURES)
 
 
 def plate(belt: ns.StickSlip, number: int) -> Figure:
-    """Return one figure of the paper, from 1 to 6: its pictures beside and below each other."""
+    """Return one figure of the paper, 1 to 6, with its pictures in two columns."""
     (names,) = (list(plate.pictures) for plate in PLATES if plate.number == number)
     columns = min(len(names), 2)
     rows = math.ceil(len(names) / columns)
@@ -45,7 +45,7 @@ def plate(belt: ns.StickSlip, number: int) -> Figure:
 
 
 def write_plate(belt: ns.StickSlip, number: int, target: Path) -> None:
-    """Write one figure of the paper as a picture, in the format that its ending names."""
+    """Write one figure of the paper to a file, in the format of its suffix."""
     write(partial(plate, belt, number), target, look=LOOK)
 
 
@@ -59,7 +59,7 @@ def build(belt: ns.StickSlip, folder: Path, done: Callable[[str], None]) -> None
     folder : Path
         An empty folder.
     done : callable
-        Called `STEPS` times with what has just been done, in words.
+        Called `STEPS` times, with the step just done in words.
     """
     with pool() as processes:
         intervals = scan(belt, PARTS, done, processes.map)

@@ -1,4 +1,4 @@
-"""What stands beside each figure: what to see, in numbers of this case, and the command."""
+"""The text beside each figure: what to see, with the numbers of a case, and the command."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -14,13 +14,13 @@ from .claims import table
 from .measures import peak
 from .words import listed, number, percent, power_of_order
 
-#: The order at which the tests of the C1 series are compared: not at rounding yet.
+#: The order at which test functions of the C1 series are compared: errors are above rounding.
 EIGHT = 8
 
 
 @dataclass(frozen=True)
 class Plate:
-    """A figure of the paper: pictures, and what is written beside them; see `figures.toml`."""
+    """A figure of the paper: its pictures, and the text beside them; see `figures.toml`."""
 
     number: int
     title: str
@@ -28,7 +28,7 @@ class Plate:
     pictures: dict[str, str]
 
     def text(self, case: Case) -> str:
-        """Return what to look at in this case."""
+        """Return the text on what to see, with the numbers of a case."""
         try:
             return self.see.format(**NUMBERS[self.number](case))
         except ns.NoOrbit as missing:
@@ -43,7 +43,7 @@ PLATES = [Plate(**row) for row in table("figures.toml")["figure"]]
 
 
 def flags(belt: ns.StickSlip) -> str:
-    """Return the flags that make the default oscillator this one.
+    """Return the command-line flags of an oscillator: parameters that differ from the default.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def flags(belt: ns.StickSlip) -> str:
 
 
 def reading(case: Case, order: int, methods: Iterable[str] = ("hb",)) -> str:
-    """Return how (22) is read here, and what the other reading gives at an order."""
+    """Return in words how (22) is read here, and the errors by the other reading."""
     both = [
         f"{method} {percent(case.measured('acceleration at equal times', method, order))} "
         f"instead of {percent(case.measured('acceleration', method, order))}"
@@ -100,7 +100,7 @@ def _many_harmonics(case: Case) -> dict[str, Any]:
 
 
 def _inside(case: Case) -> str:
-    """Return which methods stay in the band of Fig. 4, from which orders on, and which not."""
+    """Return in words from which order on each method stays in the band of Fig. 4."""
     by_order: dict[int, list[str]] = {}
     for method in METHODS:
         errors = {N: abs(case.measured("period", method, N)) for N in case.orders(method)}
@@ -154,7 +154,7 @@ def _acceleration(case: Case) -> dict[str, Any]:
     }
 
 
-#: What is put into the words of each figure.
+#: The numbers that are put into the text of each figure.
 NUMBERS: dict[int, Callable[[Case], dict[str, Any]]] = {
     1: _oscillator,
     2: _orbit,
@@ -166,7 +166,7 @@ NUMBERS: dict[int, Callable[[Case], dict[str, Any]]] = {
 
 
 def other_tests(case: Case) -> str:
-    """Return how far the period is off with the paper's tests, and with Legendre's."""
+    """Return the errors of the period with the paper's test functions and with Legendre's."""
     errors = []
     for method in ("c1", "c1-tau"):
         try:

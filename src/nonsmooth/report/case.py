@@ -1,4 +1,4 @@
-"""One oscillator and its orbits, each solved when it is first asked for."""
+"""One oscillator and its orbits, each computed on first use."""
 
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -12,19 +12,19 @@ from .measures import MEASURES
 #: The oscillator of Section 4.
 DEFAULT = ns.StickSlip(**SECTION_4)
 
-#: Highest order that a claim is checked at: that of Fig. 3.
+#: Highest order at which claims are checked: that of Fig. 3.
 MOST = 40
 
-#: Highest order at which all solutions of the C1 series are isolated in milliseconds.
+#: Highest order at which all solutions of the C1 series are found in milliseconds.
 QUICK = 5
 
-#: Errors below these are rounding: of the period, and of the measure (22).
+#: Errors of the period, and in the measure (22), below which they are rounding.
 FLOORS = {"period": 1e-12, "acceleration": 1e-6}
 
 
 @dataclass(frozen=True)
 class Case:
-    """An oscillator, and what of its orbits has been computed.
+    """An oscillator, with a cache of its orbits and their errors.
 
     Parameters
     ----------
@@ -44,7 +44,13 @@ class Case:
         return ExactStickSlipOrbit.of(ns.exact(self.belt))
 
     def orbit(self, method: str, order: int) -> StickSlipOrbit:
-        """Return one orbit; a `NoOrbit` if there is none, or none was found."""
+        """Return one orbit.
+
+        Raises
+        ------
+        NoOrbit
+            If there is none, or none is found; raised again from the cache.
+        """
         key = method, order
         if key not in self._found:
             try:
@@ -59,10 +65,10 @@ class Case:
         return found
 
     def _solved(self, method: str, order: int) -> StickSlipOrbit:
-        """Return one orbit, or find that there is none.
+        """Return one orbit, or raise a `NoOrbit`.
 
-        That the C1 series has none is shown in less time than is searched in vain: the proof is
-        asked first where it takes no time, and where the order before has no orbit.
+        For the C1 series a proof that there is none is quicker than a vain search.  It is tried
+        first at low orders, and if the order before has no orbit.
         """
         before = self._found.get((method, order - 1))
         if method == "c1" and (order <= QUICK or isinstance(before, ns.NoOrbit)):
@@ -72,7 +78,7 @@ class Case:
         return StickSlipOrbit.of(ns.solve(self.belt, method, order))
 
     def has(self, method: str, order: int) -> bool:
-        """Return whether there is an orbit."""
+        """Return whether an orbit is found."""
         try:
             self.orbit(method, order)
         except ns.NoOrbit:
@@ -80,7 +86,7 @@ class Case:
         return True
 
     def orders(self, method: str) -> list[int]:
-        """Return the orders to `MOST` at which there is an orbit."""
+        """Return the orders up to `MOST` at which an orbit is found."""
         return [N for N in range(1, MOST + 1) if self.has(method, N)]
 
     def measured(self, of: str, method: str, order: int) -> float:
@@ -91,19 +97,19 @@ class Case:
         return self._measured[key]
 
     def rate(self, of: str, method: str) -> float | None:
-        """Return how fast an error falls with the order, as `Sweep.rates` has it.
+        """Return the rate of convergence of an error, as in `Sweep.rates`.
 
-        By a power of the order or, of the C1 series, by digits with each; None if too few
+        The power of 1/N or, for the C1 series, the digits gained per order; None if too few
         orders have an orbit.
         """
         errors = [(N, self.measured(of, method, N)) for N in self.orders(method)]
         return slope(errors, FLOORS[of], power=method != "c1", upper_half=True)
 
     def behind(self, of: str, ours: str, theirs: str) -> list[int]:
-        """Return the orders to `MOST` at which a method is not better than another.
+        """Return the orders up to `MOST` at which a method is not better than another.
 
-        Where it has no orbit it is not; where only the other has none, or the error is
-        rounding, it is.
+        It is not if it has no orbit; it is if only the other has none, or its own error is
+        rounding.
         """
 
         def better(N: int) -> bool:
@@ -116,6 +122,6 @@ class Case:
 
 
 def at_alpha(belt: ns.StickSlip, alpha: float) -> Case:
-    """Return the same oscillator under the normal force that gives this `alpha`."""
+    """Return the case of an oscillator with the normal force that gives `alpha`."""
     force = belt.normal_force * (alpha / belt.alpha)
     return Case(belt.with_value("normal_force", force))

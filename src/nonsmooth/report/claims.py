@@ -1,4 +1,4 @@
-"""The claims of `claims.toml`, each with its parts, and the verdict on it."""
+"""The claims of the paper, from `claims.toml`: each with its parts and the verdict."""
 
 import tomllib
 from collections.abc import Callable, Sequence
@@ -13,13 +13,13 @@ import nonsmooth as ns
 from .case import Case
 from .checks import Finding
 
-#: From all parts that count to none.
+#: Verdicts if all parts that count hold, if some do, if none does.
 VERDICTS = ("holds", "holds in part", "does not hold")
 
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """One statement that is true or false of an oscillator; see `claims.toml`."""
+    """One statement of a claim, true or false for an oscillator; see `claims.toml`."""
 
     words: str
     check: Callable[[Case], Finding]
@@ -27,7 +27,7 @@ class Part:
     ours: str = ""
 
     def of(self, case: Case) -> Finding:
-        """Return the finding; an orbit that is missing counts against the statement."""
+        """Return the result of the check; it fails if an orbit that it needs is missing."""
         try:
             return self.check(case)
         except ns.NoOrbit as missing:
@@ -48,13 +48,13 @@ class Claim:
     note: str = ""
 
     def verdict(self, holds: Sequence[bool]) -> str:
-        """Return the verdict, where it is known of each part whether it holds."""
+        """Return the verdict, from whether each part holds."""
         counted = [yes for part, yes in zip(self.parts, holds, strict=True) if part.counts]
         return VERDICTS[0] if all(counted) else VERDICTS[1] if any(counted) else VERDICTS[2]
 
 
 def table(name: str) -> Any:
-    """Return a table of this folder; a line break within a text is a space."""
+    """Return a TOML file of this folder, with line breaks within texts as spaces."""
     return _joined(tomllib.loads(Path(__file__).with_name(name).read_text("utf-8")))
 
 

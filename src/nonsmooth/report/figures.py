@@ -1,7 +1,6 @@
 """The figures of the paper, recomputed for one oscillator, and the map of the claims.
 
-Each is narrow enough for a telephone; what stands beside another in the paper is a figure
-of its own here.
+Each is narrow enough for a telephone; pictures that the paper puts side by side are separate.
 """
 
 from collections.abc import Callable, Sequence
@@ -29,17 +28,17 @@ from .words import percent
 #: Short names, for legends.
 NAMES = {name: f"{name} ({section})" for name, (section, _) in METHODS.items()}
 
-#: The look of each method, with the paper's marker: that of its like in any scene.  The colours
-#: are told apart by colour-blind readers (Okabe & Ito), markers and lines in grey.
+#: The look of each method, the same as in other scenes, with the paper's markers.  The colours
+#: suit colour-blind readers (Okabe & Ito); in grey, markers and lines tell methods apart.
 STYLES = {"hb": about("hb").look, "hb-c1": about("hb-ck").look, "c1": about("ck").look}
 
 #: A jump misplaced by one rounding error of t/T contributes about its square root to (22).
 FLOOR = float(np.sqrt(np.finfo(float).eps))
 
-#: The last order in Fig. 4, where the curves can still be told apart.
+#: The last order in Fig. 4; beyond, the curves coincide.
 LAST_ORDER = 12
 
-#: What marks a level or points at a place.
+#: Styles of lines, of labels of levels, and of arrows.
 THIN: Any = {"color": "0.5", "linewidth": 0.8, "linestyle": "--"}
 LEVEL: Any = THIN | {"linestyle": (0, (5, 5))}
 BESIDE_LEVEL: Any = {"xycoords": ("axes fraction", "data"), "color": "0.4"}
@@ -70,7 +69,7 @@ def friction(axes: Any, case: Case) -> None:
 
 
 def plane(axes: Any, case: Case) -> None:
-    """Draw Fig. 2(a), the phase plane: stick begins in A and ends in B."""
+    """Draw Fig. 2(a), the phase plane: stick begins at A and ends at B."""
     exact = case.exact
     draw_motion(exact, axes, linewidth=1.6)
     for name, time in (("A", 0.0), ("B", exact.t1)):
@@ -82,7 +81,7 @@ def plane(axes: Any, case: Case) -> None:
 
 
 def history(quantity: str) -> Callable[[Any, Case], None]:
-    """Return what draws Fig. 2(b), (c) or (d): displacement, velocity or acceleration."""
+    """Return a function that draws Fig. 2(b), (c) or (d): a quantity against time."""
 
     def draw(axes: Any, case: Case) -> None:
         exact = case.exact
@@ -103,7 +102,7 @@ def history(quantity: str) -> Callable[[Any, Case], None]:
 
 
 def accelerations(methods: tuple[str, ...], order: int) -> Callable[[Any, Case], None]:
-    """Return what draws Fig. 3 or 5: the acceleration over a period by some methods."""
+    """Return a function that draws Fig. 3 or 5: the acceleration by some methods."""
 
     def draw(axes: Any, case: Case) -> None:
         draw_motion(case.exact, axes, "acceleration", linewidth=1.6)
@@ -124,7 +123,7 @@ many_harmonics = accelerations(("hb",), MOST)
 
 
 def overshoot(axes: Any, case: Case) -> None:
-    """Draw the end of stick in Fig. 3, with the ripple measured and the mean marked."""
+    """Draw the end of stick in Fig. 3, with the overshoot and the value at its end marked."""
     many_harmonics(axes, case)
     end, width = case.exact.t1 / case.exact.period, 4 / MOST
     falls = case.belt.largest_jump
@@ -148,7 +147,7 @@ def _marked(method: str) -> dict[str, Any]:
 
 
 def period(axes: Any, case: Case) -> None:
-    """Draw Fig. 4: the period against the order, in exact periods."""
+    """Draw Fig. 4: the ratio of the period to the exact one, against the order."""
     axes.axhspan(1 - BAND, 1 + BAND, color="0.85", zorder=0)
     axes.axhline(1, **EXACT)
     reach = 2 * BAND
@@ -167,7 +166,7 @@ def period(axes: Any, case: Case) -> None:
 
 
 def _errors(axes: Any, case: Case, of: str, least: float = -np.inf) -> None:
-    """Draw the errors of each method against the order, those above a least one."""
+    """Draw the errors of each method that are above `least`, against the order."""
     for method in METHODS:
         orders = case.orders(method)
         errors = np.array([case.measured(of, method, N) for N in orders])
@@ -176,7 +175,7 @@ def _errors(axes: Any, case: Case, of: str, least: float = -np.inf) -> None:
 
 
 def period_error(axes: Any, case: Case) -> None:
-    """Draw the errors of Fig. 4 on a log scale, where they do not end in one line."""
+    """Draw the errors of the periods of Fig. 4 on a log scale."""
     axes.axhline(BAND, **LEVEL)
     where = BESIDE_LEVEL | {"fontsize": 8, "ha": "right", "va": "top"}
     _beside(axes, "0.1 %", (0.99, BAND), xytext=(0, -3), **where)
@@ -187,7 +186,7 @@ def period_error(axes: Any, case: Case) -> None:
 def acceleration_error(axes: Any, case: Case) -> None:
     """Draw Fig. 6: the error (22) of the acceleration against the order.
 
-    Where rounding of a time alone holds it is marked; what is far below is so by luck.
+    The level by rounding of a time is marked; errors far below it are accidental, not drawn.
     """
     _errors(axes, case, "acceleration", FLOOR / 10)
     axes.set(ylabel="error (22) of the acceleration")
@@ -196,7 +195,7 @@ def acceleration_error(axes: Any, case: Case) -> None:
     _beside(axes, "floor in float64", (0.02, FLOOR), xytext=(0, 3), **where)
 
 
-#: What draws each figure, by the name of its file.
+#: The functions that draw the figures, by the names of their files.
 FIGURES: dict[str, Callable[[Any, Case], None]] = {
     "fig-1a": lambda axes, case: sketch(axes, "stick-slip"),
     "fig-1b": friction,
@@ -213,15 +212,15 @@ FIGURES: dict[str, Callable[[Any, Case], None]] = {
 }
 
 
-#: Shades of the verdicts, from all parts to none; as readable in grey.
+#: Shades of the verdicts; they differ in grey as well.
 SHADES = dict(zip(VERDICTS, ("#0072B2", "#A9CCE3", "none"), strict=True))
 
-#: Inches: of the map of the claims, and the height of a row.
+#: Width of the map of the claims and height of a row, in inches.
 WIDTH, ROW = 4.8, 0.23
 
 
 def claim_map(belt: ns.StickSlip, claims: Sequence[Claim], intervals: Intervals) -> Figure:
-    """Return the map: a row a claim, the normal force from left to right."""
+    """Return the map of the claims: one row each, over the normal force."""
     made = Figure(figsize=(WIDTH, ROW * len(claims) + 1), layout="constrained")
     axes = made.subplots()
     for row, claim in enumerate(claims):

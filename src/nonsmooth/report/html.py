@@ -11,9 +11,9 @@ from nonsmooth.codegen.printing.html import STYLE, mathml
 
 
 def filled(name: str, **content: Any) -> str:
-    """Return a page that needs nothing from outside: a template of the report, filled.
+    """Return a self-contained page: the template of this name, filled with `content`.
 
-    All of its content that is not marked safe is escaped.
+    Content that is not marked safe is escaped.
     """
     environment = Environment(
         loader=PackageLoader("nonsmooth.report", "."),
@@ -28,7 +28,7 @@ def filled(name: str, **content: Any) -> str:
 
 
 def prose(words: str) -> Markup:
-    r"""Return text as HTML: subscripts after underscores, no break before units or at "=".
+    r"""Return text as HTML: subscripts after underscores, no breaks before units and at "=".
 
     Examples
     --------
@@ -41,9 +41,9 @@ def prose(words: str) -> Markup:
 
 
 def inline(svg: str, name: str, words: str) -> str:
-    """Return a picture of matplotlib as an element of the page, with words for what it shows.
+    """Return an SVG of matplotlib as an element of the page, with `words` as its label.
 
-    Its names begin with `name`, so that no two on the page are the same.
+    Its ids begin with `name`, so that those of several pictures differ.
     """
     body = svg[svg.index("<svg") :]
     body = re.sub(
@@ -58,7 +58,7 @@ def inline(svg: str, name: str, words: str) -> str:
 
 
 def folded(equations: str) -> str:
-    """Return equations as a part of a page: lower headings, Jacobians folded away."""
+    """Return equations as a part of a page: headings one level lower, Jacobians folded away."""
     text = re.sub(r' xmlns="[^"]*"', "", equations)
     text = re.sub(
         r"<h2>(Jacobian .*?)</h2>(.*?)(?=<h2>|$)",

@@ -1,7 +1,7 @@
-"""For which normal forces a statement holds: a scan over alpha, and bisection of the ends.
+"""The normal forces for which a statement holds: a scan over alpha, and bisection of the ends.
 
-With the other parameters fixed, `F_N` is proportional to alpha, and alpha alone decides, but
-for the direction of friction in stick: that depends on ``mu_k/mu_s``, whatever `F_N`.
+With the other parameters fixed, `F_N` is proportional to alpha.  All statements depend on alpha
+alone, except that on the direction of friction in stick, which depends on ``mu_k/mu_s``.
 """
 
 import math
@@ -18,18 +18,18 @@ from .case import at_alpha
 from .claims import Claim, Part
 from .words import listed, number
 
-#: Values of alpha that are looked at, from the first to the last.
+#: The first and the last value of alpha in the scan, and their number.
 FIRST, LAST, SCANNED = 0.01, 10.0, 49
 
-#: An end of an interval is known to this factor.
+#: The ends of intervals are bisected to this factor.
 CLOSE = 1.005
 
-#: Where each part of the claims holds: from alpha to alpha, and from 0 or to infinity where it
-#: does so to that end of the scan.
+#: The intervals of alpha in which each part of the claims holds; they begin at 0 or end at
+#: infinity if the part holds at that end of the scan.
 Intervals = dict[Part, list[tuple[float, float]]]
 
 
-#: A step of the scan within which parts change: its ends, and what each part changes to.
+#: A step of the scan within which parts change: its ends, and whether each part holds after it.
 Step = tuple[float, float, tuple[tuple[Part, bool], ...]]
 
 
@@ -46,7 +46,7 @@ def scan(
 ) -> Intervals:
     """Return the intervals of alpha in which each part holds.
 
-    What is narrower than a step of the scan, 15 %, can be missed.
+    Intervals narrower than a step of the scan, 15 %, can be missed.
 
     Parameters
     ----------
@@ -55,10 +55,9 @@ def scan(
     parts : list of Part
         The statements.
     progress : callable, optional
-        Called in words, `SCANNED` times and once a part.
+        Called in words, `SCANNED` times and once for each part.
     run : callable, optional
-        Yields what a function returns of each of some arguments, in order: `map`, or that of
-        several processes.
+        `map`, or a function like it that uses several processes.
     """
     holds: list[list[bool]] = []
     verdicts = run(partial(_holding, belt, parts), grid())
@@ -82,7 +81,7 @@ def scan(
 
 
 def _holding(belt: ns.StickSlip, parts: list[Part], alpha: float) -> list[bool]:
-    """Return which parts hold at one alpha."""
+    """Return whether each part holds at one alpha."""
     case = at_alpha(belt, alpha)
     return [part.of(case).holds for part in parts]
 
@@ -97,7 +96,7 @@ def _steps(parts: list[Part], holds: list[list[bool]]) -> Iterator[Step]:
 
 
 def _ends(belt: ns.StickSlip, step: Step) -> list[float]:
-    """Return where each part changes; an orbit that several of them need is solved once."""
+    """Return the alpha at which each part changes; the parts share their orbits."""
     left, right, changes = step
     case = cache(partial(at_alpha, belt))
 
@@ -108,7 +107,7 @@ def _ends(belt: ns.StickSlip, step: Step) -> list[float]:
 
 
 def _bisect(holds: Callable[[float], bool], left: float, right: float, after: bool) -> float:
-    """Return where a statement becomes `after` between two values, to a factor `CLOSE`."""
+    """Return the value at which a statement becomes `after`, to a factor `CLOSE`."""
     while right / left > CLOSE:
         middle = math.sqrt(left * right)
         left, right = (left, middle) if holds(middle) == after else (middle, right)
@@ -116,7 +115,7 @@ def _bisect(holds: Callable[[float], bool], left: float, right: float, after: bo
 
 
 def segments(claim: Claim, intervals: Intervals) -> list[tuple[float, float, str]]:
-    """Return where which verdict holds: from alpha, to alpha, and the verdict."""
+    """Return intervals of alpha with the verdict on a claim: from, to, verdict."""
     ends = {end for part in claim.parts for ends in intervals[part] for end in ends}
     edges = [FIRST, *sorted(end for end in ends if FIRST < end < LAST), LAST]
     found: list[tuple[float, float, str]] = []
@@ -135,7 +134,7 @@ def force(belt: ns.StickSlip, alpha: float) -> float:
 
 
 def in_words(belt: ns.StickSlip, found: list[tuple[float, float]]) -> str:
-    """Return the normal forces of some intervals.
+    """Return intervals of alpha in words, as normal forces.
 
     Examples
     --------

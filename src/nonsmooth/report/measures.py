@@ -1,4 +1,4 @@
-"""What is measured of an orbit: errors against the exact one, and the ripple beside a jump."""
+"""Measures of an orbit: errors against the exact one, and the overshoot beside a jump."""
 
 import math
 from collections.abc import Callable
@@ -11,12 +11,12 @@ from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.orbit.errors import acceleration_error
 from nonsmooth.solver.orbit.quadrature import panels
 
-#: Samples of each phase where a largest value is looked for.
+#: Samples of each phase for a largest value.
 SAMPLES = 2000
 
 
 def peak(orbit: StickSlipOrbit) -> tuple[float, float]:
-    """Return time and size, in SI units, of the highest ripple before the end of stick."""
+    """Return time and value of the largest acceleration in the second half of stick."""
     times = np.linspace(orbit.t1 / 2, orbit.t1, SAMPLES, endpoint=False)
     values = orbit.acceleration(times)
     best = int(np.argmax(values))
@@ -24,18 +24,19 @@ def peak(orbit: StickSlipOrbit) -> tuple[float, float]:
 
 
 def overshoot(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
-    """Return how far the acceleration swings beyond 0 before its jump, in jumps.
+    """Return the overshoot of the acceleration before its jump, relative to the jump.
 
-    At the end of stick the exact one falls from 0; what is above 0 in the second half of
-    stick is the ripple that Gibbs' phenomenon leaves there.
+    The exact acceleration is 0 in stick and falls at its end.  Positive values in the second
+    half of stick are Gibbs' phenomenon.
     """
     return peak(orbit)[1] / exact.case.largest_jump
 
 
 def differences(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit, quantity: str) -> Vector:
-    """Return the errors of stick and of slip, each laid over the exact phase.
+    """Return the errors of a quantity, with stick and slip each mapped onto the exact phase.
 
-    Of the acceleration in jumps; of displacement, velocity and jerk in the exact amplitude.
+    That of the acceleration is relative to the jump; those of displacement, velocity and jerk
+    to the exact amplitude of the quantity.
     """
     omega = exact.case.omega_n
     size = {
@@ -49,9 +50,9 @@ def differences(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit, quantity: str
 
 
 def _by_phases(motion: StickSlipOrbit | ExactStickSlipOrbit, quantity: str) -> Vector:
-    """Return a quantity in stick and in slip; the jerk in slip only.
+    """Return samples of a quantity in stick and in slip; of the jerk in slip only.
 
-    There the acceleration of a C1 series is a polynomial of the degree of its order, and the
+    In slip the acceleration of a C1 series is a polynomial of the degree of its order, and the
     exact jerk is ``-omega_n**2`` times the velocity.
     """
     u = (np.arange(SAMPLES) + 0.5) / SAMPLES
@@ -66,7 +67,7 @@ def _by_phases(motion: StickSlipOrbit | ExactStickSlipOrbit, quantity: str) -> V
 
 
 def largest(quantity: str) -> Callable[[StickSlipOrbit, ExactStickSlipOrbit], float]:
-    """Return what measures the largest of the `differences`."""
+    """Return the measure of the largest of the `differences` of a quantity."""
     return lambda orbit, exact: float(differences(orbit, exact, quantity).max())
 
 
@@ -79,8 +80,8 @@ def inside(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
 def error_at_equal_times(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
     """Return (22) with both accelerations at the same t, from 0 to the exact T.
 
-    The other reading of (21): the paper integrates from 0 to T and does not say whose T that
-    is, nor how motions of different periods are laid over each other.
+    This is the other reading of (21): the paper integrates from 0 to T, and does not say which
+    period T is, nor how motions of different periods are compared.
     """
     T = exact.period
     jumps = [time / T for time in (exact.t1, orbit.t1, orbit.period) if time < T]
@@ -90,7 +91,7 @@ def error_at_equal_times(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> f
     return math.sqrt(float(weights @ difference**2) / float(weights @ reference**2))
 
 
-#: By the names that the checks of the claims have for them.
+#: The measures by the names that the checks of the claims use.
 MEASURES: dict[str, Callable[[StickSlipOrbit, ExactStickSlipOrbit], float]] = {
     "period": lambda orbit, exact: orbit.period / exact.period - 1,
     "acceleration": lambda orbit, exact: acceleration_error(orbit, exact, orbit.order),

@@ -1,4 +1,4 @@
-"""The page: what was computed, put into the template, with the pictures inside."""
+"""The page of the report: the results put into the template, with the pictures."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -16,14 +16,14 @@ from .html import filled, folded, inline
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
 from .words import number, percent
 
-#: Orders in the table of the page.
+#: Orders in the table of errors.
 ORDERS = (3, 10, 40)
 
 
 def check(case: Case, intervals: Intervals) -> Iterator[dict[str, Any]]:
-    """Yield every claim with its number and verdict for this case.
+    """Yield every claim with its number, the verdict for this case, and its parts.
 
-    And with its parts: of each the finding, and where it holds.
+    With each part come its finding, and in words the normal forces for which it holds.
     """
     for place, claim in enumerate(CLAIMS, 1):
         findings = [part.of(case) for part in claim.parts]
@@ -34,7 +34,7 @@ def check(case: Case, intervals: Intervals) -> Iterator[dict[str, Any]]:
 
 
 def _errors(case: Case, method: str, order: int) -> tuple[str, str]:
-    """Return both errors in percent; below its floor (22) is rounding."""
+    """Return the errors of the period and of (22) in percent, or "rounding"."""
     if not case.has(method, order):
         return "no orbit", ""
     error = case.measured("acceleration", method, order)
@@ -44,14 +44,14 @@ def _errors(case: Case, method: str, order: int) -> tuple[str, str]:
 
 
 def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
-    """Return the page as HTML that needs nothing from outside.
+    """Return the page as self-contained HTML.
 
     Parameters
     ----------
     case : Case
         The oscillator.
     intervals : dict
-        Where each part of each claim holds.
+        The intervals of alpha in which each part of the claims holds.
     pictures : dict of str to str
         SVG by name.
     """

@@ -1,4 +1,4 @@
-"""What the pictures of both pages share: their look, and how they are written.
+"""The look of the pictures of both reports, and how they are written.
 
 Each is narrow enough for a telephone.
 """
@@ -11,27 +11,27 @@ from matplotlib.figure import Figure
 
 from nonsmooth.plots.axes import SETTINGS, panel, write
 
-#: Inches, and the text in points: on a telephone both are shown at two thirds.
+#: Size in inches, and of texts in points; on a telephone both are shown at two thirds.
 SIZE = (4.8, 3.2)
 LOOK: Any = SETTINGS | {"font.size": 10, "legend.fontsize": 9}
 
-#: Vector formats of every picture; the page has the SVG inside.
+#: Formats of every picture; the page embeds the SVG.
 SUFFIXES = (".svg", ".pdf")
 
-#: What stands above the axes, in their middle.
+#: Placement of a legend above the axes, centred.
 ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False}
 
-#: What draws on one pair of axes something of a case.
+#: A function that draws an object on given axes.
 Draw = Callable[[Any, Any], None]
 
 
 def figure(draw: Draw, shown: object) -> Figure:
-    """Return a figure with one pair of axes, drawn."""
+    """Return a figure with one pair of axes, on which `draw` has drawn `shown`."""
     return panel(lambda axes: draw(axes, shown), SIZE)
 
 
 def legend(axes: Any, columns: int) -> None:
-    """Put the legend above the axes."""
+    """Put the legend above the axes, in so many columns."""
     axes.legend(ncols=columns, columnspacing=1.2, **ABOVE)
 
 
@@ -46,7 +46,7 @@ def write_report(
     page: Callable[[Mapping[str, str]], str],
     done: Callable[[str], None],
 ) -> None:
-    """Write every picture into a folder, in each format, and the page with the SVG of each."""
+    """Write every picture into a folder, in each format, and the page with their SVGs."""
     for name, made in pictures.items():
         write(made, *(folder / (name + suffix) for suffix in SUFFIXES), look=LOOK)
         done(name)

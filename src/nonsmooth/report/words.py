@@ -1,8 +1,8 @@
-"""Numbers as a reader wants them: few digits, powers of ten raised, units beside."""
+"""Numbers and lists as texts for readers: few digits, raised powers of ten."""
 
 import math
 
-#: Relative errors below this say nothing.
+#: Relative errors below this are rounding.
 ROUNDING = 1e-13
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -27,12 +27,12 @@ def number(value: float, digits: int = 3) -> str:
 
 
 def signed(text: str) -> str:
-    """Return the text of a number with a minus sign that is as wide as a plus."""
+    """Return the text of a number with typographic minus signs."""
     return text.replace("-", "−")
 
 
 def percent(part: float, digits: int = 3) -> str:
-    """Return a part of one in percent; what float64 cannot tell from zero is rounding.
+    """Return a fraction in percent; "rounding" if it is not zero, but below `ROUNDING`.
 
     Examples
     --------
@@ -54,7 +54,7 @@ def power_of_order(rate: float) -> str:
 
 
 def listed(words: list[str]) -> str:
-    """Return words with commas, and an "and" before the last.
+    """Return words joined by commas, with "and" before the last.
 
     Examples
     --------

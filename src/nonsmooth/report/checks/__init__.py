@@ -1,4 +1,4 @@
-"""What each claim of the paper is held against: numbers, each with what it decides."""
+"""The checks of the claims of the paper: each computes numbers and decides by them."""
 
 from dataclasses import dataclass
 
@@ -8,25 +8,25 @@ from ..words import listed, percent
 #: The band of the period that the paper names in Fig. 4.
 BAND = 1e-3
 
-#: Overshoot, in jumps, that nobody sees in a figure.
+#: Overshoot, relative to the jump, that is too small to be seen in a figure.
 UNSEEN = 0.01
 
-#: The order after which the paper says things of the C1 series.
+#: The order beyond which the paper makes claims about the C1 series.
 THREE = 3
 
-#: Orders at which it is seen whether something falls, or stays.
+#: Orders at which a quantity is compared, to decide whether it falls.
 DOUBLED = (10, 20, 40)
 
 
 @dataclass(frozen=True)
 class Finding:
-    """Whether something holds, and the numbers that say so.
+    """The result of a check: whether the statement holds, and the numbers that decide.
 
     Parameters
     ----------
     holds : bool
     numbers : str
-        What was measured, in words.
+        In words.
     """
 
     holds: bool
@@ -34,7 +34,7 @@ class Finding:
 
 
 def doubled(case: Case, of: str, method: str) -> tuple[list[float], str]:
-    """Return what is measured at N = 10, 20 and 40, and the same in words."""
+    """Return one of the `MEASURES` at N = 10, 20 and 40, and the same in words."""
     values = [case.measured(of, method, N) for N in DOUBLED]
     unit = "" if of == "acceleration" else " of the jump"
     words = listed([percent(value, 2) for value in values])

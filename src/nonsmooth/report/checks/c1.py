@@ -1,4 +1,4 @@
-"""Checks of the series of C1 functions (3.3), and of who overtakes whom."""
+"""Checks of the series of C1 functions (3.3), also against the one C1 function of (3.2)."""
 
 import math
 from itertools import pairwise
@@ -11,14 +11,14 @@ from ..case import FLOORS, MOST, Case
 from ..words import listed, number, percent
 from . import BAND, THREE, UNSEEN, Finding
 
-#: Orders, each of which is to gain a factor of `GAIN` on the one before.
+#: Orders from each of which to the next errors are to fall by a factor `GAIN`.
 SOME, GAIN = (9, 12, 15), 10
 
 TOO_FEW = Finding(False, "too few orders are above rounding")
 
 
 def above_rounding(case: Case, first: int, of: str = "period") -> dict[int, float]:
-    """Return an error by the order, from `first` on to where it is rounding."""
+    """Return the errors by order, from `first` up to the order where they are rounding."""
     found = {}
     for N in range(first, MOST + 1):
         error = case.measured(of, "c1", N)
@@ -29,7 +29,7 @@ def above_rounding(case: Case, first: int, of: str = "period") -> dict[int, floa
 
 
 def overtakes(case: Case, of: str) -> Finding:
-    """Return whether an error is smaller than with one C1 function, from some order on."""
+    """Check that an error is smaller than with one C1 function from some order up to 20 on."""
     first = max(case.behind(of, "c1", "hb-c1"), default=0) + 1
     words = f"from N = {first} on" if first < MOST else "not by then"
     return Finding(first <= MOST // 2, words)
@@ -41,7 +41,7 @@ def _both_periods(case: Case, order: int) -> tuple[float, float]:
 
 
 def beyond_three(case: Case) -> Finding:
-    """Return whether the period is better at every order beyond 3."""
+    """Check that the period is better than with one C1 function at every order beyond 3."""
     behind = [N for N in case.behind("period", "c1", "hb-c1") if N > THREE]
     N = behind[0] if behind else THREE + 1
     ours, theirs = _both_periods(case, N)
@@ -50,13 +50,13 @@ def beyond_three(case: Case) -> Finding:
 
 
 def behind_at_three(case: Case) -> Finding:
-    """Return whether the period is still worse at N = 3."""
+    """Check that the period is still worse than with one C1 function at N = 3."""
     ours, theirs = _both_periods(case, THREE)
     return Finding(ours > theirs, f"{percent(ours)} off against {percent(theirs)}")
 
 
 def in_band(case: Case, first: int) -> Finding:
-    """Return whether the period is in the band of Fig. 4 at every order from `first` on."""
+    """Check that the period is in the band of Fig. 4 at every order from `first` on."""
     errors = above_rounding(case, first) or {first: case.measured("period", "c1", first)}
     return _worst(errors)
 
@@ -68,7 +68,10 @@ def _worst(errors: dict[int, float]) -> Finding:
 
 
 def in_band_with_any_solution(case: Case) -> Finding:
-    """Return whether it is, if a solution whose stick ends too early counts as well."""
+    """Check the same from N = 4 on, where solutions whose stick ends too early count as well.
+
+    They count at orders without an orbit, if slip is shorter than a natural period.
+    """
     errors: dict[int, float] = {}
     for N in range(THREE + 1, MOST + 1):
         if case.has("c1", N):
@@ -87,7 +90,7 @@ def in_band_with_any_solution(case: Case) -> Finding:
 
 
 def shrinks(case: Case) -> Finding:
-    """Return whether the size of the period error falls at every order from 4 on."""
+    """Check that the size of the period error falls at every order from 4 on."""
     errors = above_rounding(case, THREE + 1)
     grows = [str(N) for (_, a), (N, b) in pairwise(errors.items()) if abs(b) >= abs(a)]
     if grows:
@@ -96,7 +99,7 @@ def shrinks(case: Case) -> Finding:
 
 
 def one_sided(case: Case) -> Finding:
-    """Return whether the period comes to the exact one from one side."""
+    """Check that the period approaches the exact one from one side."""
     errors = above_rounding(case, THREE + 1)
     crossings = [str(N) for (_, a), (N, b) in pairwise(errors.items()) if a * b < 0]
     if crossings:
@@ -105,14 +108,14 @@ def one_sided(case: Case) -> Finding:
 
 
 def poorest(case: Case) -> Finding:
-    """Return whether (22) at N = 3 is largest for the harmonics alone."""
+    """Check that the error (22) at N = 3 is largest for the harmonics alone."""
     errors = {m: case.measured("acceleration", m, THREE) for m in ("hb", "hb-c1", "c1")}
     words = ", ".join(f"{m} {percent(error)}" for m, error in errors.items())
     return Finding(max(errors, key=lambda m: errors[m]) == "hb", words)
 
 
 def stick_is_exact(case: Case) -> Finding:
-    """Return whether the acceleration in stick is exactly zero, at the lowest order."""
+    """Check that the acceleration in stick is exactly zero at the lowest order."""
     N = min(case.orders("c1"))
     orbit = case.orbit("c1", N)
     largest = float(np.abs(orbit.acceleration(np.linspace(0, orbit.t1, 100)[:-1])).max())
@@ -120,14 +123,14 @@ def stick_is_exact(case: Case) -> Finding:
 
 
 def no_ripple(case: Case) -> Finding:
-    """Return whether nothing is left at the jumps at N = 10."""
+    """Check that the largest error of the acceleration is too small to be seen at N = 10."""
     errors = [case.measured("largest acceleration", "c1", N) for N in (5, 10)]
     words = f"{listed([percent(e, 2) for e in errors])} of the jump at N = 5 and 10"
     return Finding(errors[-1] < UNSEEN, words)
 
 
 def all_derivatives(case: Case) -> Finding:
-    """Return whether motion and derivatives, the jerk too, go to the exact ones."""
+    """Check that displacement, velocity, acceleration and jerk converge to the exact ones."""
     names = {"x": "displacement", "velocity": "velocity"}
     names |= {"acceleration": "acceleration", "jerk": "jerk"}
     rows = {
@@ -140,9 +143,10 @@ def all_derivatives(case: Case) -> Finding:
 
 
 def _steps(case: Case) -> tuple[dict[int, float], dict[int, float]]:
-    """Return by what factor (22) changes at odd orders and at even ones, above rounding.
+    """Return the ratio of (22) to that at the order before, at odd and at even orders.
 
-    From the order, 3 or higher, from which on there is an orbit at each.
+    They begin with the first order, 3 or higher, from which on each has an orbit, and end where
+    (22) is rounding.
     """
     missing = [N for N in range(THREE, MOST + 1) if not case.has("c1", N)]
     errors = above_rounding(case, max(missing, default=THREE - 1) + 1, "acceleration")
@@ -152,7 +156,7 @@ def _steps(case: Case) -> tuple[dict[int, float], dict[int, float]]:
 
 
 def stairs(case: Case) -> Finding:
-    """Return whether (22) falls at odd orders, and by far less or not at all at even ones."""
+    """Check that (22) falls by more than a factor 2 at odd orders, and by less at even ones."""
     odd, even = ([1 / step for step in steps.values()] for steps in _steps(case))
     if not (odd and even):
         return TOO_FEW
@@ -164,7 +168,7 @@ def stairs(case: Case) -> Finding:
 
 
 def even_add_nothing(case: Case) -> Finding:
-    """Return whether (22) is the same at an even order as at the odd one before."""
+    """Check that (22) at each even order is that at the odd order before, within 1 %."""
     even = {N: step - 1 for N, step in _steps(case)[1].items()}
     if not even:
         return TOO_FEW

@@ -1,4 +1,4 @@
-"""Checks of classical harmonic balance (3.1), and of one C1 function beside it (3.2)."""
+"""Checks of classical harmonic balance (3.1), and of harmonics with one C1 function (3.2)."""
 
 from itertools import pairwise
 from typing import Any
@@ -7,42 +7,42 @@ from ..case import FLOORS, MOST, Case
 from ..words import ROUNDING, number, percent, power_of_order
 from . import BAND, DOUBLED, THREE, UNSEEN, Finding, doubled
 
-#: Gibbs' constant: the overshoot of a Fourier series, in jumps.
+#: Gibbs' constant: the overshoot of a Fourier series, relative to the jump.
 GIBBS = 0.0894898722360836
 
 TOO_FEW = Finding(False, "too few orders have an orbit")
 
 
 def falls(case: Case, of: str, method: str, factor: float) -> Finding:
-    """Return whether something falls to a part of itself each time N is doubled."""
+    """Check that a measure falls below `factor` times itself each time N is doubled."""
     values, words = doubled(case, of, method)
     return Finding(all(fine < factor * coarse for coarse, fine in pairwise(values)), words)
 
 
 def never_below(case: Case, of: str, least: float) -> Finding:
-    """Return whether something of harmonics alone stays large as N is doubled."""
+    """Check that a measure of harmonics alone stays at least `least` as N is doubled."""
     values, words = doubled(case, of, "hb")
     return Finding(min(values) >= least, words)
 
 
 def does_not_halve(case: Case, of: str, since: int, least: float = 0.0) -> Finding:
-    """Return whether something is more than half of what it was at a lower order."""
+    """Check that a measure at N = 40 is more than half of that at N = `since`."""
     values, words = doubled(case, of, "hb")
     before = values[DOUBLED.index(since)]
     return Finding(values[-1] > max(before / 2, least), words)
 
 
 def gibbs(case: Case) -> Finding:
-    """Return whether the ripple before the jump is what Gibbs' constant says."""
+    """Check that the overshoot before the jump is Gibbs' constant, within a third."""
     over = case.measured("overshoot", "hb", MOST)
     words = f"{percent(over)} of the jump; Gibbs' limit is {percent(GIBBS)}"
     return Finding(abs(over / GIBBS - 1) < 1 / 3, words)
 
 
 def half_way(case: Case, end: str) -> Finding:
-    """Return whether the acceleration is half-way down its jump where stick ends.
+    """Check that the acceleration is half-way down its jump at the end of stick.
 
-    In the series, or on normalised time in the exact orbit.
+    That is the end in the series or, on normalised time, in the exact orbit.
     """
     orbit = case.orbit("hb", MOST)
     motion: Any = {"series": orbit, "exact": case.exact}[end]
@@ -52,7 +52,7 @@ def half_way(case: Case, end: str) -> Finding:
 
 
 def falls_like(case: Case, of: str, low: float, high: float) -> Finding:
-    """Return whether an error of harmonics alone falls by a power of N between two."""
+    """Check that an error of harmonics alone falls by a power of N between `low` and `high`."""
     rate = case.rate(of, "hb")
     if rate is None:
         return TOO_FEW
@@ -63,7 +63,7 @@ def falls_like(case: Case, of: str, low: float, high: float) -> Finding:
 
 
 def outside_the_band(case: Case) -> Finding:
-    """Return whether the period stays outside the band of Fig. 4."""
+    """Check that the period of harmonics alone stays outside the band of Fig. 4."""
     errors = {N: abs(case.measured("period", "hb", N)) for N in case.orders("hb")}
     first = min((N for N in errors if errors[N] <= BAND), default=0)
     words = f"inside from N = {first}" if first else "outside at each"
@@ -71,14 +71,14 @@ def outside_the_band(case: Case) -> Finding:
 
 
 def rising(case: Case, method: str) -> list[int]:
-    """Return the orders at which (22) is larger than at the order before, not by rounding."""
+    """Return the orders whose (22) is above rounding, and larger than at the order before."""
     errors = {N: case.measured("acceleration", method, N) for N in case.orders(method)}
     above = [N for N in errors if N - 1 in errors and errors[N] > FLOORS["acceleration"]]
     return [N for N in above if errors[N] > errors[N - 1]]
 
 
 def rises(case: Case, method: str, somewhere: bool) -> Finding:
-    """Return whether (22) rises somewhere, or whether it does so nowhere."""
+    """Check that (22) rises at some order; without `somewhere`, that it rises at none."""
     orders = rising(case, method)
     holds = bool(orders) == somewhere and bool(case.orders(method))
     if not orders:
@@ -92,7 +92,7 @@ def rises(case: Case, method: str, somewhere: bool) -> Finding:
 
 
 def better_period(case: Case) -> Finding:
-    """Return whether one C1 function makes the period better at every order."""
+    """Check that one C1 function makes the period better at every order."""
     behind = case.behind("period", "hb-c1", "hb")
     if behind:
         return Finding(False, f"not at {len(behind)} of them, N = {behind[0]} the first")
@@ -101,7 +101,7 @@ def better_period(case: Case) -> Finding:
 
 
 def falls_faster(case: Case, of: str, powers: float) -> Finding:
-    """Return whether one C1 function makes an error fall by so many more powers of N."""
+    """Check that one C1 function makes an error fall by at least `powers` more powers of N."""
     ours, theirs = (case.rate(of, method) for method in ("hb-c1", "hb"))
     if ours is None or theirs is None:
         return TOO_FEW
@@ -110,13 +110,13 @@ def falls_faster(case: Case, of: str, powers: float) -> Finding:
 
 
 def ripple_vanishes(case: Case) -> Finding:
-    """Return whether one C1 function makes the ripple go away with N."""
+    """Check that the overshoot vanishes as N grows with one C1 function, and not without."""
     over, words = doubled(case, "overshoot", "hb-c1")
     return Finding(over[-1] < UNSEEN < case.measured("overshoot", "hb", MOST), words)
 
 
 def no_ripple_at_3(case: Case) -> Finding:
-    """Return whether it is gone already at the order of Fig. 5."""
+    """Check that the overshoot with one C1 function is too small to be seen at N = 3."""
     beyond = (case.measured("overshoot", method, THREE) for method in ("hb-c1", "hb"))
     over, without = (part if part > ROUNDING else 0.0 for part in beyond)
     words = f"{percent(over, 2)} of the jump; without g₁ {percent(without, 2)}"

@@ -11,15 +11,15 @@ from ..case import MOST, Case
 from ..words import number, percent
 from . import Finding
 
-#: What is left of zero after a handful of operations in float64.
+#: Relative rounding error of a few operations in float64.
 ROUNDING = 1e-12
 
-#: Samples of a period, for the part of ``g1`` that its harmonics leave.
+#: Samples of a period, for the part of ``g1`` that is not in the span of harmonics.
 GRID = 4096
 
 
 def smooth(case: Case) -> Finding:
-    """Return whether the exact motion is C1 and no smoother."""
+    """Check that the exact motion is C1, and that its acceleration jumps at both switches."""
     exact, omega = case.exact, case.belt.omega_n
     after, before = [exact.t1, 0.0], np.nextafter([exact.t1, exact.period], 0)
     x, v, a = (
@@ -35,21 +35,21 @@ def smooth(case: Case) -> Finding:
 
 
 def never_faster(case: Case) -> Finding:
-    """Return whether the mass is never faster than the belt."""
+    """Check that the mass is never faster than the belt."""
     times = np.linspace(0, case.exact.period, 2001)[:-1]
     fastest = float(case.exact.velocity(times).max()) / case.belt.belt_speed
     return Finding(fastest <= 1 + ROUNDING, f"largest velocity {number(fastest)} V")
 
 
 def friction_drives(case: Case) -> Finding:
-    """Return whether friction is never against the belt; in stick it is ``K x``."""
+    """Check that friction never opposes the belt; in stick it is ``K x``."""
     belt = case.belt
     least = (2 * belt.mu_k - belt.mu_s) * belt.normal_force
     return Finding(least >= 0, f"least friction in stick, K x(0): {number(least)} N")
 
 
 def centred(case: Case) -> Finding:
-    """Return whether the mean displacement is ``x_s``."""
+    """Check that the mean displacement is ``x_s``."""
     exact, centre = case.exact, case.belt.slip_centre
     part, weights = panels([exact.t1 / exact.period], 4)
     mean = float(weights @ exact.displacement(part * exact.period))
@@ -58,7 +58,7 @@ def centred(case: Case) -> Finding:
 
 
 def g1(t1: float, T: float, t: Vector, derivative: int) -> Vector:
-    """Return ``g1`` of (12) over ``T (T - t1)**3``, or its derivative, in ``[0, T]``."""
+    """Return ``g1`` of (12) divided by ``T (T - t1)**3``, or its derivative, on ``[0, T]``."""
     u = np.maximum(t - t1, 0.0) / (T - t1)
     if derivative == 0:
         return u * u * (3 - 2 * u) - t / T
@@ -66,7 +66,7 @@ def g1(t1: float, T: float, t: Vector, derivative: int) -> Vector:
 
 
 def g1_is_c1(case: Case) -> Finding:
-    """Return whether ``g1`` and its derivative have no jump."""
+    """Check that ``g1`` and its derivative have no jump."""
     t1, T = case.exact.t1, case.exact.period
     after, before = np.array([t1, 0.0]), np.array([np.nextafter(t1, 0), T])
     jumps = [T**d * (g1(t1, T, after, d) - g1(t1, T, before, d)) for d in (0, 1)]
@@ -79,7 +79,7 @@ def g1_is_c1(case: Case) -> Finding:
 
 
 def in_span_of_harmonics(case: Case) -> Finding:
-    """Return whether its first harmonics leave nothing of ``g1``."""
+    """Check that ``g1`` is in the span of its first harmonics, to rounding."""
     t1, T = case.exact.t1, case.exact.period
     harmonics = np.abs(np.fft.rfft(g1(t1, T, np.arange(GRID) * T / GRID, 0)))[1:]
     left = math.sqrt(float(np.sum(harmonics[MOST:] ** 2) / np.sum(harmonics**2)))

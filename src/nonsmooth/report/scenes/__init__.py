@@ -1,1 +1,1 @@
-"""The page on one oscillator: what it is, how it moves, how fast each expansion finds it."""
+"""The page on one oscillator: its motion, and how fast each expansion converges to it."""

@@ -17,20 +17,21 @@ from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about, in_order, shown
 from nonsmooth.solver.solve import solve_case
 
-#: Order of the orbits that are drawn beside the exact one; of the series that rings.
+#: Order of the orbits that are drawn beside the exact one; of those of Fourier series that show
+#: the overshoot.
 SMALL, RINGING = 5, 24
 
-#: Orders of the curves of convergence: of a power, where each is so much larger than the one
-#: before that roughness from one order to the next does not blur the slope; and of a factor.
+#: Orders of the curves of algebraic convergence, spaced geometrically, so that differences
+#: between odd and even orders do not spoil the slope; orders of geometric convergence.
 POWER_ORDERS, FACTOR_ORDERS = (4, 6, 8, 11, 16, 22, 32), tuple(range(3, 17))
 
-#: Part of a phase next to a switch in which a series rings highest, times the order.
+#: The overshoot is looked for within so many half periods of the highest harmonic of a switch.
 RING = 6.0
 
 
 @dataclass(frozen=True)
 class Way:
-    """A method, with its functions at each switch where it counts them.
+    """A method, with its number of functions at each switch if it has one.
 
     Parameters
     ----------
@@ -38,7 +39,7 @@ class Way:
         Generic name.
     functions : int or None
     name : str
-        As readers see it: with the class, and with the number of functions.
+        For readers: with the class, and with the number of functions.
     """
 
     method: str
@@ -48,7 +49,7 @@ class Way:
 
 @dataclass(frozen=True)
 class Collected:
-    """What the page on a case says, computed.
+    """The results on the page of a case.
 
     Parameters
     ----------
@@ -72,12 +73,12 @@ class Collected:
 
     @property
     def beyond(self) -> dict[str, float]:
-        """By how many per cent of it each of `ringing` goes beyond the largest jump."""
+        """The `overshoot` of each of `ringing` in per cent."""
         return {name: 100 * overshoot(q, self.exact) for name, q in self.ringing.items()}
 
 
 def ways(case: Case) -> Iterator[Way]:
-    """Yield the methods of a scene, each with every number of functions that it may have."""
+    """Yield the methods of a scene, each with every number of functions it can have."""
     scene = case.scene
     for method in in_order(registry.methods(scene)):
         numbers = registry.functions(scene, method)
@@ -87,12 +88,12 @@ def ways(case: Case) -> Iterator[Way]:
 
 
 def steps(case: Case) -> int:
-    """Return how often `collect` tells its progress."""
+    """Return the number of steps of which `collect` reports progress."""
     return 2 + sum(1 for _ in ways(case))
 
 
 def collect(case: Case, exact: ExactOrbit, done: Callable[[str], None]) -> Collected:
-    """Compute what the page says.
+    """Return the results on the page of a case.
 
     Parameters
     ----------
@@ -101,7 +102,7 @@ def collect(case: Case, exact: ExactOrbit, done: Callable[[str], None]) -> Colle
     exact : ExactOrbit
         Its exact orbit.
     done : callable
-        Called `steps` times with what has just been done, in words.
+        Called `steps` times, with the step just done in words.
     """
     found = list(ways(case))
     usual = list({way.method: way for way in found if way.functions in (None, 1, 2)}.values())
@@ -140,11 +141,11 @@ def jump(exact: Motion, p: int) -> float:
 
 
 def overshoot(orbit: Orbit, exact: Motion) -> float:
-    """Return by how much the derivative that jumps goes beyond its jump, as a part of it.
+    """Return the overshoot of the derivative of order k + 1, relative to its largest jump.
 
-    At the largest jump, on the side where the phase begins: what the derivative exceeds the
-    exact one by, phase laid over phase.  Of a Fourier series it tends to 8.949 per cent
-    (Gibbs), of functions that jump themselves to nothing.
+    It is the excess over the exact derivative behind that jump, with the phase mapped onto the
+    exact one.  For a Fourier series it tends to 8.949 per cent (Gibbs), for functions that jump
+    themselves to 0.
     """
     phases = range(len(exact.case.cell.phases))
     sizes = [jump(exact, p) for p in phases]
@@ -160,8 +161,7 @@ def overshoot(orbit: Orbit, exact: Motion) -> float:
 def rate_of_times(case: Case, functions: int) -> int:
     """Return the power of 1/N with which the times of a series with K functions converge.
 
-    The least over the switches, each with its own class; `functions` is 0 of a plain Fourier
-    series.
+    It is the least over the switches, each with its own class; K = 0 is a plain Fourier series.
     """
     found, phases = [], case.cell.phases
     for p, phase in enumerate(phases):
@@ -175,5 +175,5 @@ def rate_of_times(case: Case, functions: int) -> int:
 
 
 def rate_of_jump(case: Case, functions: int) -> float:
-    """Return the power of 1/N with which the derivative that jumps converges in L2."""
+    """Return the power of 1/N with which the derivative of order k + 1 converges in L2."""
     return min(functions + 0.5, float(rate_of_times(case, functions)))

@@ -1,4 +1,4 @@
-"""The figures and numbers of a scene's page, for a notebook: what the gallery is made of."""
+"""The figures and numbers of a scene's page for notebooks, as in the gallery."""
 
 from collections.abc import Callable
 from typing import Any
@@ -20,13 +20,13 @@ from .scene_page import rates
 
 
 def page_of(case: Case, done: Callable[[str], None] = lambda what: None) -> Collected:
-    """Return all numbers of the page on a case, of the motion that occurs."""
+    """Return the results on the page of a case, for the motion of its exact orbit."""
     exact = exact_orbit(case)
     return collect(exact.case, exact, done)
 
 
 def show(found: Collected, *names: str) -> None:
-    """Draw figures of a page beside each other; names are those of `FIGURES`."""
+    """Draw figures of a page side by side; `names` are keys of `FIGURES`."""
     with mpl.rc_context(SETTINGS):
         size = (4.6 * len(names), 3.4)
         figure = plt.figure(figsize=size, layout="constrained")
@@ -38,7 +38,7 @@ def show(found: Collected, *names: str) -> None:
 
 
 def table_of_rates(found: Collected) -> str:
-    """Return the measured rates beside those of theory, as text."""
+    """Return a table of measured rates and those of theory, as text."""
     names = ("name", "times", "times_theory", "discontinuous", "discontinuous_theory")
     rows: list[tuple[str, ...]] = [("expansion", "times", "theory", "jump", "theory")]
     rows += [tuple(row[name] for name in names) for row in rates(found)]
@@ -50,7 +50,7 @@ def table_of_rates(found: Collected) -> str:
 
 
 def overshoots(found: Collected) -> str:
-    """Return by how much each expansion goes beyond the largest jump, as text."""
+    """Return a table of the overshoots of the expansions, as text."""
     orders = {name: orbit.order for name, orbit in found.ringing.items()}
     return "\n".join(
         f"{name:16} N = {orders[name]:2}: {round(most, 2) + 0.0:6.2f} %"  # not -0.00
@@ -59,14 +59,14 @@ def overshoots(found: Collected) -> str:
 
 
 def thesis(names: list[str], orders: tuple[int, ...] = (8, 11, 16, 22, 32)) -> Any:
-    """Return the paper's thesis over scenes: rate of the times by class and functions.
+    """Return rates of the times by class and number of functions: the thesis of the paper.
 
     Parameters
     ----------
     names : list of str
-        Scenes.
+        Names of scenes.
     orders : tuple of int
-        Over which the rates are fitted.
+        The orders to which the rates are fitted.
 
     Returns
     -------

@@ -20,12 +20,12 @@ from ..pictures import ABOVE, Draw, legend
 from .collected import Collected, Way, rate_of_jump, rate_of_times
 from .sketches import SKETCHES, sketch
 
-#: Points of a phase at which the derivative that jumps is drawn.
+#: Number of points of a phase at which a derivative is drawn.
 POINTS = 800
 
 
 def drawing(axes: Any, found: Collected) -> None:
-    """Draw the oscillator."""
+    """Draw the sketch of the oscillator."""
     sketch(axes, found.case.scene.name)
 
 
@@ -54,7 +54,10 @@ def history(axes: Any, found: Collected) -> None:
 
 
 def _over_time(motion: Motion, order: int) -> tuple[Vector, Vector]:
-    """Return ``t/T`` and a derivative in SI units past one period, gaps at the switches."""
+    """Return ``t/T`` and a derivative in SI units over some more than a period.
+
+    NaN separates the phases.
+    """
     cell, unit = motion.case.cell, motion.case.units
     u = np.linspace(0.0, 1.0, POINTS)
     ends = np.cumsum([0.0, *motion.durations]) / motion.period
@@ -69,7 +72,7 @@ def _over_time(motion: Motion, order: int) -> tuple[Vector, Vector]:
 
 
 def jumping(axes: Any, found: Collected) -> None:
-    """Draw the first derivative that jumps: a Fourier series rings there, the others do not."""
+    """Draw the first derivative that jumps, by all methods: Fourier series overshoot there."""
     order = found.case.cell.k + 1
     axes.plot(*_over_time(found.exact, order), label="exact", **EXACT | {"linewidth": 1.6})
     for name, orbit in found.ringing.items():
@@ -81,7 +84,7 @@ def jumping(axes: Any, found: Collected) -> None:
 
 
 def convergence(name: str) -> Draw:
-    """Return what draws one error against the order, with the slopes that theory has."""
+    """Return a function that draws one error against the order, with the slopes of theory."""
 
     def draw(axes: Any, found: Collected) -> None:
         for way, curve in found.curves.items():
@@ -103,10 +106,10 @@ def convergence(name: str) -> Draw:
 
 
 def theory(found: Collected, way: Way, name: str) -> float | None:
-    """Return the power of 1/N with which an error of a series should fall, if that is known.
+    """Return the power of 1/N with which an error of a series falls by theory; None if unknown.
 
-    What the force on a structure makes of a derivative of its motion is not; impulses alone
-    leave no error.
+    Of a structure it is known for the times only, and if not all switches are impacts: impulses
+    alone leave no error.
     """
     functions, scene = way.functions or 0, found.case.scene
     if scene.has_body and (name != "times" or not any(scene.classes)):
@@ -122,7 +125,7 @@ def _marked(way: Way) -> dict[str, Any]:
     return look
 
 
-#: Figures by the names of their files, with what they show.
+#: The functions that draw the figures, by the names of their files, and captions.
 FIGURES: Mapping[str, tuple[Draw, str]] = {
     "sketch": (drawing, "the oscillator"),
     "plane": (plane, "the orbit in the phase plane"),
@@ -137,6 +140,6 @@ FIGURES: Mapping[str, tuple[Draw, str]] = {
 
 
 def figures_of(found: Collected) -> dict[str, Draw]:
-    """Return what draws each figure of a case: a sketch only of a shipped scene."""
+    """Return the functions that draw the figures of a case; the sketch only if there is one."""
     drawn = found.case.scene.name in SKETCHES
     return {name: draw for name, (draw, _) in FIGURES.items() if drawn or name != "sketch"}

@@ -1,4 +1,4 @@
-"""The page on one oscillator: what was computed, put into the template."""
+"""The page on one oscillator: the results put into the template."""
 
 import cmath
 from collections.abc import Callable, Mapping
@@ -24,20 +24,20 @@ from ..words import listed, signed
 from .collected import Collected, collect, steps
 from .scene_figures import FIGURES, figures_of, theory
 
-#: Part of the largest of its kind up to which a number is 0.
+#: Size of a number, relative to the largest of its kind, that is shown as 0.
 ROUNDING = 1e-14
 
-#: The errors of an orbit that the page has.
+#: The errors of an orbit that the page shows.
 ERRORS = ("times", "discontinuous")
 
 
 def page(found: Collected, equations: str, pictures: Mapping[str, str]) -> str:
-    """Return the page as HTML that needs nothing from outside.
+    """Return the page as self-contained HTML.
 
     Parameters
     ----------
     found : Collected
-        What was computed.
+        The results.
     equations : str
         The derived equations, as a fragment.
     pictures : dict of str to str
@@ -69,15 +69,15 @@ def page(found: Collected, equations: str, pictures: Mapping[str, str]) -> str:
 
 
 def beside(value: float, ends: tuple[float, float]) -> str:
-    """Return a number as text, 0 where it is rounding beside the largest of its kind."""
+    """Return a number as text; 0 if it is rounding relative to the larger of `ends`."""
     return f"{value if abs(value) > ROUNDING * max(map(abs, ends)) else 0.0:.8g}"
 
 
 def multipliers(exact: ExactOrbit) -> dict[str, Any]:
-    """Return the Floquet multipliers of the exact orbit, the largest first, as a table.
+    """Return the Floquet multipliers of the exact orbit for the page, largest modulus first.
 
-    A pair is two rows.  Besides, how many smaller ones there are, the verdict on the orbit, or
-    why it has no multipliers, and whether the multiplier 1 of a shift in time is left out.
+    `rows` has one entry each, `smaller` counts those left out, `verdict` is the stability or
+    the reason why there are none, `shift` whether the trivial multiplier 1 is left out.
     """
     _, _, verdict = in_words(exact).partition(": ")
     try:
@@ -93,7 +93,7 @@ def multipliers(exact: ExactOrbit) -> dict[str, Any]:
 
 
 def _multiplier(value: complex, rounding: float) -> dict[str, str]:
-    """Return one multiplier; what rounding does not tell from modulus 1 is said to be so."""
+    """Return one multiplier as texts; within rounding of modulus 1 it is neither, in words."""
     modulus = abs(value)
     stable = "stable" if modulus < 1 else "unstable"
     if abs(modulus - 1) <= rounding:
@@ -103,7 +103,7 @@ def _multiplier(value: complex, rounding: float) -> dict[str, str]:
 
 
 def rates(found: Collected) -> list[dict[str, str]]:
-    """Return the measured rate of each error of each way, and what theory has for it."""
+    """Return measured rates of convergence and those of theory, a row for each way."""
     rows = []
     for way, curve in found.curves.items():
         errors = [(order, vars(each)) for order, each in curve.items()]
@@ -118,12 +118,12 @@ def rates(found: Collected) -> list[dict[str, str]]:
     return rows
 
 
-#: Every file that there may be in a report on a scene.
+#: All possible files of a report on a scene.
 FILES = files(FIGURES)
 
 
 def count(case: Case) -> int:
-    """Return how often progress is told: the orbits, the equations, the pictures, the page."""
+    """Return the largest number of steps of which `build` reports progress."""
     return steps(case) + 1 + len(FIGURES) + 1
 
 
@@ -143,7 +143,7 @@ def build(
     folder : Path
         An empty folder.
     done : callable
-        Called with what has just been done, in words.
+        Called with the step just done in words.
     """
     found = collect(case, exact, done)
     equations = folded(fragment_of(derived.sections(source, (), None)))

@@ -1,4 +1,4 @@
-"""A drawing of each shipped oscillator: mass, spring, damper, and what breaks the motion."""
+"""A sketch of each shipped oscillator: mass, spring, damper, and the non-smooth element."""
 
 from typing import Any
 
@@ -17,7 +17,7 @@ def arrow(axes: Any, start: tuple[float, float], end: tuple[float, float], name:
 
 
 def line(axes: Any, xs: list[float], ys: list[float], width: float = 1.3) -> None:
-    """Draw a line through some places."""
+    """Draw a polyline."""
     axes.plot(xs, ys, color=INK, linewidth=width)
 
 
@@ -31,17 +31,17 @@ def words(
 def box(
     axes: Any, left: float, bottom: float, width: float, height: float, shade: str = FILL
 ) -> None:
-    """Draw a body."""
+    """Draw a rectangular body."""
     axes.add_patch(Rectangle((left, bottom), width, height, facecolor=shade, edgecolor=INK))
 
 
 def wheel(axes: Any, x: float, y: float, radius: float) -> None:
-    """Draw a wheel that a belt turns on."""
+    """Draw a wheel of a belt."""
     axes.add_patch(Circle((x, y), radius, facecolor="none", edgecolor=INK))
 
 
 def wall(axes: Any, x: float, bottom: float, top: float, side: int) -> None:
-    """Draw a wall whose face is at `x`; `side` is where its body lies."""
+    """Draw a wall with its face at `x`, and its body to the right (`side` 1) or left (-1)."""
     box(axes, x if side > 0 else x - 0.35, bottom, 0.35, top - bottom, HATCH)
 
 
@@ -75,7 +75,7 @@ def mass(
     top: float = 2.4,
     name: str = "$m$",
 ) -> None:
-    """Draw the mass and the direction in which its displacement is counted."""
+    """Draw the mass and the direction of positive displacement."""
     box(axes, left, bottom, right - left, top - bottom)
     words(axes, (left + right) / 2, (bottom + top) / 2, name, "center", "center")
     arrow(axes, (left, top + 0.3), (left + 1.0, top + 0.3), "$x$")
@@ -87,7 +87,7 @@ def gap(axes: Any, start: float, end: float, y: float, name: str = "$g$") -> Non
     words(axes, (start + end) / 2, y - 0.1, name, "center", "top")
 
 
-#: What draws a part of a sketch, and the arguments that it takes.
+#: A function that draws a part of a sketch, and its arguments.
 Part = tuple[Any, ...]
 
 #: A mass on spring and damper, which most oscillators have; driven from above; before a stop.
@@ -115,7 +115,7 @@ ON_A_BELT: list[Part] = [
     *PRESSED,
 ]
 
-#: By the name of the scene.
+#: The sketches by the names of their scenes.
 SKETCHES: dict[str, list[Part]] = {
     "impact": [*BEFORE_A_STOP, (words, 7.9, 1.3, "$r$")],
     "impact-inelastic": [*BEFORE_A_STOP, (words, 7.9, 1.3, "$r = 0$")],
@@ -183,7 +183,7 @@ SKETCHES: dict[str, list[Part]] = {
 
 
 def sketch(axes: Any, name: str) -> None:
-    """Draw the oscillator of this name; a `KeyError` if there is no drawing of it."""
+    """Draw the sketch of the scene of this name; raise a `KeyError` if it has none."""
     for draw, *arguments in SKETCHES[name]:
         draw(axes, *arguments)
     axes.set(xlim=(-0.2, 10.2), ylim=(-1.8, 4.8), aspect="equal")
