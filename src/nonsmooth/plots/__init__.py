@@ -1,7 +1,7 @@
-"""Every picture of a result: on axes of the caller's, and as a figure of the command line.
+"""Plots of results: on given axes, and as figures of the command line.
 
-``draw`` in a module draws one thing on one pair of axes: it is behind the ``plot`` methods of
-results, the figures of the command line and those of the report.
+``draw`` in a module draws one quantity on one pair of axes.  The ``plot`` methods of results,
+the figures of the command line and those of the report use it.
 """
 
 from ..extras import require

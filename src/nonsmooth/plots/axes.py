@@ -1,4 +1,4 @@
-"""How pictures look: axes to draw on, the frame of a figure, and how figures are written."""
+"""The style of plots: axes to draw on, legend and caption of a figure, and files of figures."""
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
@@ -8,7 +8,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-#: The look of every picture, and that of an exact orbit in it.
+#: The style of all plots, and the look of exact orbits.
 SETTINGS: Any = {
     "font.size": 9,
     "axes.grid": True,
@@ -20,10 +20,10 @@ SETTINGS: Any = {
 }
 EXACT: dict[str, Any] = {"color": "0.25", "linestyle": "-", "linewidth": 1.0}
 
-#: Least error that is drawn: below it is rounding, and for 0 there is no place on the axis.
+#: Least error that is drawn: smaller ones are rounding, and log axes have no 0.
 LEAST = float(np.finfo(float).eps) / 2
 
-#: Names of Greek letters that symbols have.
+#: Names of Greek letters in symbols.
 GREEK = frozenset(
     (
         *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota"),
@@ -35,7 +35,7 @@ GREEK = frozenset(
 
 
 def axes_or_new(ax: Any) -> Any:
-    """Return axes to draw on: those given, or new ones in the style of all pictures."""
+    """Return the given axes, or new ones in the style of all plots."""
     if ax is not None:
         return ax
     import matplotlib.pyplot as plt  # noqa: PLC0415  (it chooses a window system)
@@ -45,23 +45,20 @@ def axes_or_new(ax: Any) -> Any:
 
 
 def panel(draw: Callable[[Any], Any], size: tuple[float, float]) -> Figure:
-    """Return a figure of so many inches with one pair of axes, drawn on by a function."""
+    """Return a figure with one pair of axes on which `draw` has drawn; `size` is in inches."""
     figure = Figure(figsize=size, layout="constrained")
     draw(figure.subplots())
     return figure
 
 
 def check_quantity(quantity: object, known: Collection[str]) -> None:
-    """Check that what is to be drawn is one of those that can be.
-
-    A `ValueError` is raised if it is not.
-    """
+    """Raise a `ValueError` if `quantity` is not one of the known ones."""
     if quantity not in known:
         raise ValueError(f"quantity: got {quantity!r}, expected one of {', '.join(known)}")
 
 
 def typeset(symbol: str) -> str:
-    r"""Return a symbol as matplotlib typesets it.
+    r"""Return a symbol in the TeX notation of matplotlib.
 
     Examples
     --------
@@ -79,7 +76,7 @@ def _letters(name: str) -> str:
 
 
 def described(case: Any, *but: str) -> str:
-    """Return the scene and the parameters of a case in a line, `but` for some of them."""
+    """Return the scene and the parameters of a case, except those in `but`, as one line."""
     values = [
         f"{typeset(q.symbol)} = {case.values[q.name]:.4g} {q.unit}".rstrip()
         for q in case.scene.parameters
@@ -90,12 +87,12 @@ def described(case: Any, *but: str) -> str:
 
 
 def curve(look: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the look of a curve without markers, of a method with this look."""
+    """Return the look of a method, without its markers, for a curve."""
     return {"color": look["color"], "linestyle": look["linestyle"], "linewidth": 1.4}
 
 
 def mark_values(axes: Any, values: Sequence[float], words: str, color: str) -> None:
-    """Mark the values of a parameter, on its axis, at which there is nothing to draw."""
+    """Mark values of a parameter without a result on its axis; `words` is the label."""
     if values:
         axes.plot(
             values, np.zeros(len(values)), "|", color=color, clip_on=False,
@@ -104,7 +101,7 @@ def mark_values(axes: Any, values: Sequence[float], words: str, color: str) -> N
 
 
 def draw_errors(axes: Any, orders: Any, errors: Any, **look: Any) -> None:
-    """Draw errors against the order on logarithmic axes; those below `LEAST` at `LEAST`."""
+    """Draw errors against the order, with a log scale; those below `LEAST` at `LEAST`."""
     sizes = [np.nan if np.isnan(error) else max(abs(error), LEAST) for error in errors]
     axes.plot(orders, sizes, **{"markersize": 4, "linewidth": 0.9} | look)
     axes.set(yscale="log", xlabel="order $N$")
@@ -112,24 +109,24 @@ def draw_errors(axes: Any, orders: Any, errors: Any, **look: Any) -> None:
 
 
 def frame(figure: Figure, axes: Any, words: str, columns: int = 3) -> None:
-    """Put the legend of one pair of axes above a figure, and words below it."""
+    """Put the legend of one pair of axes above a figure, and a caption below it."""
     legend_above(figure, axes, columns)
     say_below(figure, words)
 
 
 def say_below(figure: Figure, words: str) -> None:
-    """Put words below a figure: what it is of."""
+    """Put a caption below a figure."""
     figure.supxlabel(words, fontsize=7, wrap=True)
 
 
 def legend_above(figure: Any, axes: Any, columns: int = 3) -> None:
-    """Put the legend of one pair of axes above a figure, beside no curve."""
+    """Put the legend of one pair of axes above a figure, where it covers no curve."""
     handles, labels = axes.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=columns, frameon=False)
 
 
 def write(figure: Callable[[], Figure], *targets: Path, look: Any = SETTINGS) -> None:
-    """Write what a function draws as a picture, in the formats that the endings name."""
+    """Write the figure that a function makes, to each target in the format of its suffix."""
     with mpl.rc_context(look):
         drawn = figure()
         for target in targets:
@@ -137,15 +134,15 @@ def write(figure: Callable[[], Figure], *targets: Path, look: Any = SETTINGS) ->
 
 
 def save(figure: Figure, target: Path) -> None:
-    """Write the figure without a date: the same input gives the same bytes.
+    """Write a figure without a date, so that the same input gives the same bytes.
 
-    With `SETTINGS` in force.
+    The caller has set `SETTINGS`.
     """
     metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
     figure.savefig(target, dpi=150, metadata=metadata.get(target.suffix.lower()))
 
 
 def on_axes(draw: Callable[[Any], Any], size: tuple[float, float], target: IO[str]) -> None:
-    """Write what a function draws on one pair of axes as SVG."""
+    """Write a figure with one pair of axes, on which `draw` draws, as SVG."""
     with mpl.rc_context(SETTINGS):
         panel(draw, size).savefig(target, format="svg", metadata={"Date": None})

@@ -1,4 +1,4 @@
-"""A map of two parameters: regions of motions, what is not stable hatched, curves of events."""
+"""Maps of two parameters: regions of motions, their stability, and curves of events."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -15,24 +15,24 @@ from .simulations import BASINS, NONE
 if TYPE_CHECKING:
     from nonsmooth.solver.results.chart import Chart
 
-#: The line of each event.
+#: The line style of each kind of event.
 LINES = {
     "fold": "-", "flip": "--", "torus": (0, (5, 1, 1, 1, 1, 1)), "branch-point": (0, (8, 3)),
     "grazing": ":", "sticking": "-.", "vanishing": (0, (1, 3)),
 }  # fmt: skip
 
-#: Hatching of what is not stable.
+#: Hatching of regions that are not stable.
 HATCH = "////"
 
-#: Least part of the points that a number is put on.
+#: Least share of the points for a region to have its number drawn.
 LEAST = 0.01
 
 
 def draw(result: "Chart", ax: Any = None) -> Any:
     """Draw the regions of motions and the curves of events, and return the axes.
 
-    Each motion has a shade, told apart in grey too, and a number in its region that the legend
-    explains; what is not stable is hatched, and where there is no orbit it is white.
+    Each motion has a shade, which differs in grey as well, and a number that the legend
+    explains.  Regions that are not stable are hatched; those without an orbit are white.
     """
     axes, count = axes_or_new(ax), len(result.motions)
     a, b = result.values
@@ -82,13 +82,13 @@ def _hatch(axes: Any, result: "Chart") -> None:
 
 
 def _edges(values: Any) -> Any:
-    """Return the ends of the cells about values at equal distances."""
+    """Return the edges of cells around equidistant values."""
     half = (values[1] - values[0]) / 2
     return np.append(values - half, values[-1] + half)
 
 
 def _number(axes: Any, result: "Chart", i: int) -> None:
-    """Put the number of a motion where its region is widest."""
+    """Draw the number of a motion where its region is widest."""
     from scipy.ndimage import distance_transform_edt  # noqa: PLC0415  (200 ms)
 
     here = result.index == i
@@ -104,7 +104,7 @@ def _number(axes: Any, result: "Chart", i: int) -> None:
 
 
 def chart_figure(result: "Chart") -> Figure:
-    """Draw a map, and say below what it is of."""
+    """Draw a map, with a caption."""
     figure = panel(partial(draw, result), (7.5, 4.8))
     say_below(figure, described(result.case, *result.parameters))
     return figure

@@ -1,4 +1,4 @@
-"""Heat maps of the digits that float64 keeps: extremes by order, a map a method."""
+"""Heat maps of the correct digits in float64: extreme parameters by order, a map per method."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -13,14 +13,14 @@ from nonsmooth.solver.scenes.methods import EXACT, shown
 if TYPE_CHECKING:
     from nonsmooth.solver.precision.digits import Kept
 
-#: Digits at the two ends of the colour scale, which is as readable in grey.
+#: Digits at the ends of the colour scale, which is readable in grey as well.
 SCALE = (0, 16)
 COLOURS = "cividis"
 
 
 @mpl.rc_context({"axes.grid": False})
 def digits_figure(case: Case, found: "list[Kept]") -> Figure:
-    """Draw the digits of the times: a map for the exact equations and for each method."""
+    """Draw the correct digits of the times: a map for the exact equations and each method."""
     methods = list(dict.fromkeys(kept.method for kept in found))
     extremes = list(dict.fromkeys(kept.extreme for kept in found))[::-1]
     orders = sorted({kept.order for kept in found if kept.order is not None})
@@ -51,7 +51,7 @@ def digits_figure(case: Case, found: "list[Kept]") -> Figure:
 def _draw_map(
     axes: Any, digits: Any, words: Any, columns: Sequence[object], rows: Sequence[str]
 ) -> Any:
-    """Draw a map, with words in its cells, and return it; grey are cells without a number."""
+    """Draw a map with texts in its cells, and return it; cells without a number are grey."""
     axes.set_facecolor("0.85")
     image = axes.pcolormesh(digits, cmap=COLOURS, vmin=SCALE[0], vmax=SCALE[1])
     for (i, k), word in np.ndenumerate(words):

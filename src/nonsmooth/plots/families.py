@@ -1,4 +1,4 @@
-"""Orbits along a parameter: stable or not, where something happens, where there are none."""
+"""Families and branches of orbits along a parameter: stability, events, missing orbits."""
 
 from collections.abc import Iterator, Sequence
 from itertools import cycle, groupby
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.results.strobe import Diagram
     from nonsmooth.solver.scenes.loaded import LoadedScene
 
-#: What can be drawn, and what the axis says; of the third, where there are several phases.
+#: The quantities that can be drawn, and their axis labels; `times` of one phase has another.
 QUANTITIES = {
     "displacement": "ends of the displacement [m]",
     "velocity": "ends of the velocity [m/s]",
@@ -38,10 +38,10 @@ QUANTITIES = {
     "strobe": "displacement once a period of the forcing [m]",
 }
 
-#: The line of orbits that are stable, unstable, and neither.
+#: The line style of orbits that are stable, unstable, neither.
 LINES = {True: "-", False: "--", None: ":"}
 
-#: The mark of each event.
+#: The marker of each kind of event.
 MARKS = {
     "fold": "o", "flip": "s", "torus": "D", "branch-point": "^",
     "grazing": "x", "sticking": "+", "vanishing": "v",
@@ -51,8 +51,8 @@ MARKS = {
 def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
     """Draw one quantity of a family or a branch and return the axes; see `Family.plot`.
 
-    Stable orbits are drawn solid, unstable ones dashed, and what happens is marked.  Values at
-    which no orbit was found are marked on the axis.
+    Stable orbits are drawn solid, unstable ones dashed.  Events are marked, and on the axis the
+    values without an orbit.
     """
     check_quantity(quantity, QUANTITIES)
     axes = axes_or_new(ax)
@@ -74,7 +74,7 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
 
 
 def _columns(rows: "Sequence[FamilyRow]", quantity: str) -> "Iterator[Vector]":
-    """Yield what is drawn of each row, a column each."""
+    """Yield the columns of values that are drawn: two for the ends of an interval, else one."""
     ends = {"displacement": 2, "velocity": 2}.get(quantity, 1)
     for end in range(ends):
         yield np.array([_value(row, quantity, end) for row in rows], dtype=float)
@@ -95,7 +95,7 @@ def _value(row: "FamilyRow", quantity: str, end: int) -> float | None:
 
 
 def _lines(axes: Any, result: "Family", values: "Vector", look: dict[str, Any]) -> None:
-    """Draw a column as lines, as far as the orbits follow from each other and are alike."""
+    """Draw a column as lines by stability, or dots if a value of a family has several."""
     along = result["value"]
     for stable, run in _runs(result):
         kind = {"linestyle": LINES[stable]}
@@ -106,7 +106,7 @@ def _lines(axes: Any, result: "Family", values: "Vector", look: dict[str, Any]) 
 
 
 def _runs(result: "Family") -> "Iterator[tuple[bool | None, list[int]]]":
-    """Yield rows in a row that are alike, with the one where the next begins."""
+    """Yield runs of equal stability; of a branch, each begins with the last row before it."""
     rows = result.rows
     found = [i for i, row in enumerate(rows) if row.status == "ok"]
     if not result.in_turn:
@@ -117,7 +117,7 @@ def _runs(result: "Family") -> "Iterator[tuple[bool | None, list[int]]]":
         return
     told = [rows[i].stable for i in found]
     known = {rows[i].motion for i in found if rows[i].stable is not None}
-    for i in range(1, len(told)):  # at an event it is not known: drawn with those before
+    for i in range(1, len(told)):  # unknown at an event: drawn as the orbit before
         if told[i] is None and rows[found[i]].motion in known:
             told[i] = told[i - 1]
     for stable, same in groupby(range(len(found)), key=lambda i: told[i]):
@@ -126,10 +126,10 @@ def _runs(result: "Family") -> "Iterator[tuple[bool | None, list[int]]]":
 
 
 def _marks(axes: Any, result: "Family", values: "Vector") -> None:
-    """Mark what happens on a branch."""
+    """Mark the events of a branch."""
     along = result["value"]
     for event in getattr(result, "events", ()):
-        here = along == event.parameter  # the orbits there, at two ends of orders of phases
+        here = along == event.parameter  # two rows where the order of phases changes
         axes.plot(
             along[here][:1], values[here][:1], MARKS[event.kind], color="0.1", markersize=6,
             markerfacecolor="none", **_label(axes, event.kind),
@@ -137,19 +137,19 @@ def _marks(axes: Any, result: "Family", values: "Vector") -> None:
 
 
 def _label(axes: Any, name: str) -> dict[str, str]:
-    """Return the label of a line, if no other line has it yet."""
+    """Return the label of a line; none if another line has it already."""
     return {} if name in {line.get_label() for line in axes.lines} else {"label": name}
 
 
 def name_of(scene: "LoadedScene", name: str) -> str:
-    """Return what the axis of one of the parameters of a scene says."""
+    """Return the axis label of a parameter of a scene."""
     parameter = next(q for q in scene.parameters if q.name == name)
     unit = f" [{parameter.unit}]" if parameter.unit else ""
     return f"{parameter.name.replace('_', ' ')} {typeset(parameter.symbol)}{unit}"
 
 
 def _draw_times(axes: Any, result: "Family", style: dict[str, Any]) -> None:
-    """Draw the phase of the forcing, or the durations of the phases as parts of the period."""
+    """Draw the durations of phases relative to the period; of one, the phase of the forcing."""
     names, along = result.case.scene.phases, result["value"]
     if len(names) == 1:
         axes.plot(along, result["forcing_phase"], **style)
@@ -166,7 +166,7 @@ def _draw_times(axes: Any, result: "Family", style: dict[str, Any]) -> None:
 
 
 def family_figure(result: "Family", log: bool = False) -> Figure:
-    """Draw ends of displacement and velocity, the times, and the estimated error."""
+    """Draw the extremes of displacement and velocity, the times, and the estimated error."""
     scene = result.case.scene
     figure = Figure(figsize=(8, 6), layout="constrained")
     panels = figure.subplots(2, 2, sharex=True).ravel()
@@ -184,7 +184,7 @@ def family_figure(result: "Family", log: bool = False) -> Figure:
 def branch_figure(results: "Sequence[Branch]", diagrams: "Sequence[Diagram]" = ()) -> Figure:
     """Draw the amplitude and the largest multiplier of branches along a parameter.
 
-    Over diagrams, in place of the amplitude the displacement once a period of the forcing.
+    With diagrams, the displacement once a period of the forcing replaces the amplitude.
     """
     figure = Figure(figsize=(6, 6), layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))

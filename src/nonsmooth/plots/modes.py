@@ -1,4 +1,4 @@
-"""Modes of structures: shapes, what jumps at the attachment, convergence, families."""
+"""Modes of structures: shapes, discontinuous derivatives, convergence, families."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -25,24 +25,24 @@ if TYPE_CHECKING:
     from nonsmooth.solver.space.convergence import Convergence
     from nonsmooth.solver.space.modes import Modes
 
-#: The look of each expansion: that of its like in the paper.
+#: The look of each expansion: that of the corresponding method.
 LOOKS: dict[str, dict[str, Any]] = {
     "ritz": about("hb").look,
     "ritz-ck": about("hb-ck").look,
     "ck": about("ck").look,
 }
 
-#: Markers of one, two, three forced modes.
+#: Markers for one, two and three forced modes.
 MARKERS = ("s", "^", "v")
 
-#: Most modes whose shapes are drawn at once, modes below one another in a square of panels,
-#: and points of each.
+#: Most modes that are drawn at once, modes in one column before there are more, and points of
+#: each.
 MOST, BELOW, POINTS = 100, 6, 2001
 
-#: What can be drawn of a mode.
+#: The quantities of a mode that can be drawn.
 QUANTITIES = ("shape", "discontinuous")
 
-#: The errors of a study, and what they are called.
+#: The errors of a study, and their axis labels.
 ERRORS = {"eigenvalue_error": r"error of $\lambda$", "discontinuous": "error of ${broken}$"}
 
 UNITS = {"slope": "1/m", "moment": "N", "shear force": "N/m"}
@@ -51,10 +51,10 @@ UNITS = {"slope": "1/m", "moment": "N", "shear force": "N/m"}
 def draw(
     modes: "Modes", ax: Any = None, quantity: str = "shape", *, number: int = 1, **style: Any
 ) -> Any:
-    """Draw one mode above the exact one and return the axes; see `Modes.plot`.
+    """Draw one mode over the exact one and return the axes; see `Modes.plot`.
 
-    The exact one has the scale and the sign of the other; what is left and right of the
-    attachment is not joined where it jumps.
+    The exact one is scaled to the other.  Curves are interrupted at the attachment if they
+    jump there.
     """
     check_quantity(quantity, QUANTITIES)
     _check_number(modes, number)
@@ -91,9 +91,8 @@ def _draw_mode(
 def modes_figure(found: "Sequence[Modes]") -> Figure:
     """Draw mode shapes, and beside each the first discontinuous derivative.
 
-    The exact ones are drawn below them; what is left and right of the attachment is not joined.
-    The modes stand below one another, many of them in several pairs of columns.  A `ValueError`
-    is raised if there are more than a picture can show.
+    The exact ones are drawn as wide lines behind them.  The modes are in one pair of columns,
+    or, if there are many, in several.  A `ValueError` is raised if there are more than `MOST`.
     """
     count = max(map(len, found))
     if count > MOST:
@@ -121,7 +120,7 @@ def modes_figure(found: "Sequence[Modes]") -> Figure:
 
 
 def _draw_pair(found: "Sequence[Modes]", pair: Any, number: int) -> None:
-    """Draw one mode of each expansion that has it, and its discontinuous derivative."""
+    """Draw one mode, and its discontinuous derivative, of each expansion that has this mode."""
     those = [expansion for expansion in found if number <= len(expansion)]
     for panel, what in zip(pair, QUANTITIES, strict=True):
         draw_exact(those[0], panel, what, number)
@@ -130,7 +129,7 @@ def _draw_pair(found: "Sequence[Modes]", pair: Any, number: int) -> None:
 
 
 def _places(attached: Any) -> Any:
-    """Return places along the structure, dense beside the attachment."""
+    """Return places along the structure, refined near the attachment."""
     a, length = float(attached.a), attached.length
     even = np.linspace(0, 1, POINTS)
     near = a + np.concatenate([-np.geomspace(1e-9, 0.05, 300), np.geomspace(1e-9, 0.05, 300)])
@@ -139,7 +138,7 @@ def _places(attached: Any) -> Any:
 
 
 def _apart(attached: Any, x: Any, values: Any) -> Any:
-    """Return values that are not joined at the attachment."""
+    """Return values with a NaN at the attachment, which interrupts the curve."""
     found = np.array(values)
     place = int(np.searchsorted(x, float(attached.a) * attached.length))
     found[min(place, len(found) - 1)] = np.nan
@@ -147,9 +146,9 @@ def _apart(attached: Any, x: Any, values: Any) -> Any:
 
 
 def draw_exact(modes: "Modes", axes: Any, quantity: str, number: int) -> None:
-    """Draw the exact mode below all curves, with the scale and the sign of the expansion's.
+    """Draw the exact mode behind all curves, with scale and sign of the expansion's mode.
 
-    Of several modes on the same axes each exact curve is drawn once, and one is in the legend.
+    A curve that is on the axes already is not drawn again; only the first is in the legend.
     """
     attached, x = modes.attached, _places(modes.attached)
     length, broken = attached.length, modes.structure.broken
@@ -171,7 +170,7 @@ def draw_exact(modes: "Modes", axes: Any, quantity: str, number: int) -> None:
 
 
 def _is_same(line: Any, x: Any, values: Any) -> bool:
-    """Return whether a line is this curve, to rounding."""
+    """Return whether a line has these points, to rounding."""
     return np.array_equal(line.get_xdata(), x) and np.allclose(
         line.get_ydata(), values, rtol=1e-9, atol=0, equal_nan=True
     )
@@ -180,9 +179,9 @@ def _is_same(line: Any, x: Any, values: Any) -> bool:
 def draw_convergence(
     study: "Convergence", ax: Any = None, quantity: str = "eigenvalue_error", **style: Any
 ) -> Any:
-    """Draw one of `ERRORS` of a study against the unknowns, a line an expansion.
+    """Draw one of `ERRORS` of a study against the number of unknowns, a line per expansion.
 
-    Returns the axes; new ones have a legend.
+    Return the axes; new ones have a legend.
     """
     check_quantity(quantity, ERRORS)
     axes = axes_or_new(ax)
@@ -218,7 +217,7 @@ def convergence_figure(study: "Convergence") -> Figure:
 def family_figure(
     name: str, values: "Sequence[float]", found: "Sequence[Modes]", log: bool = False
 ) -> Figure:
-    """Draw the angular frequencies over a parameter."""
+    """Draw the angular frequencies against a parameter."""
     figure = Figure(figsize=(8, 4.2), layout="constrained")
     axes = figure.subplots()
     for i in range(min(map(len, found))):

@@ -1,4 +1,4 @@
-"""Motions: phase plane, displacement, velocity and acceleration over a period."""
+"""Periodic motions: phase plane, displacement, velocity and acceleration over a period."""
 
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.exact import ExactOrbit
     from nonsmooth.solver.results.orbit import Orbit
 
-#: What can be drawn of a motion: the phase plane, or one of these over a period.
+#: The phase plane, and the quantities that are drawn against time, with their axis labels.
 PLANE = "plane"
 HISTORIES = {
     "displacement": "displacement [m]",
@@ -23,19 +23,18 @@ HISTORIES = {
 }
 
 
-#: How far motions are drawn against time, in periods: beyond the switch that ends one.
+#: Number of periods that are drawn against time: more than one, to show the last switch.
 BEYOND = 1.2
 
-#: How the first motion on a pair of axes looks.
+#: The look of the first motion on a pair of axes.
 FIRST: dict[str, Any] = {"color": "0.1", "linestyle": "-", "linewidth": 1.4}
 
 
 def draw(motion: Any, ax: Any = None, quantity: str = PLANE, **style: Any) -> Any:
     """Draw a periodic motion and return the axes; see `Orbit.plot`.
 
-    Both sides of each switch are drawn, the first and the last instant of each phase; against
-    time for a little more than one period.  The first motion on a pair of axes is a solid dark
-    line, those behind it look as their method.
+    Both sides of each switch are drawn, and against time `BEYOND` periods.  The first motion on
+    a pair of axes is a solid dark line, later ones have the look of their method.
     """
     check_quantity(quantity, (PLANE, *HISTORIES))
     axes, times = axes_or_new(ax), instants(motion)
@@ -52,18 +51,18 @@ def draw(motion: Any, ax: Any = None, quantity: str = PLANE, **style: Any) -> An
 
 
 def line(motion: Any) -> dict[str, Any]:
-    """Return how the curve of a motion looks: as its method's, or that of the exact orbit."""
+    """Return the look of the curve of a motion: that of its method, or of exact orbits."""
     return EXACT if motion.look is None else curve(motion.look)
 
 
 def beyond(part: Vector, values: Vector) -> tuple[Vector, Vector]:
-    """Return values over parts of a period, and those at its beginning again behind it."""
+    """Return times relative to the period and values, continued to `BEYOND` periods."""
     again = part < BEYOND - 1
     return np.append(part, 1 + part[again]), np.append(values, values[again])
 
 
 def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:
-    """Draw phase plane, displacement, velocity, acceleration of orbits, and the exact one."""
+    """Draw phase plane, displacement, velocity and acceleration of orbits and the exact one."""
     every = [*([] if exact is None else [exact]), *orbits]
     figure = Figure(figsize=(8, 6), layout="constrained")
     panels = figure.subplots(2, 2).ravel()
@@ -75,15 +74,15 @@ def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:
     return figure
 
 
-#: The first and the last instant of a phase, from its ends, as a part of it.
+#: Distance of the first and the last instant of a phase from its ends, relative to it.
 INSIDE = 1e-9
 
-#: Instants of each phase.
+#: Number of instants of each phase.
 POINTS = 400
 
 
 def instants(motion: Any) -> Vector:
-    """Return times over one period of a motion in phases, both sides of every switch too."""
+    """Return times over one period of a motion, with both sides of every switch."""
     ends = np.cumsum([0.0, *motion.durations])
     part = np.linspace(INSIDE, 1 - INSIDE, POINTS)
     return np.concatenate([low + (high - low) * part for low, high in pairwise(ends)])

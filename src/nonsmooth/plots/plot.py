@@ -1,4 +1,4 @@
-"""`plot` for any result, or for several in one picture."""
+"""`plot` draws any result, or several on the same axes."""
 
 from collections.abc import Sequence
 from typing import Any

@@ -1,6 +1,6 @@
-"""A simulated motion: against time, and in the phase plane.
+"""Simulated motions: against time, in the phase plane, and once a period of the forcing.
 
-And many, seen once a period of the forcing: a bifurcation diagram, basins of attraction.
+The last are bifurcation diagrams and basins of attraction.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -27,13 +27,13 @@ if TYPE_CHECKING:
     from nonsmooth.solver.results.strobe import Basins, Diagram
     from nonsmooth.solver.simulation.record import Simulation
 
-#: What each quantity is called on an axis.
+#: The axis labels of quantities.
 LABELS = HISTORIES | {"force": "contact force [N]"}
 
-#: About how many points of a motion are drawn for each wave, and at most in all.
+#: Number of points of a motion: about so many for each wave, and at most in all.
 POINTS, MOST = 100, 200_000
 
-#: Part of the time, at the end, that is drawn over the rest in the phase plane.
+#: Share of the time, at its end, that is highlighted in the phase plane.
 LATE = 0.2
 
 
@@ -51,7 +51,7 @@ def draw(
 
 
 def _columns(motion: "Simulation") -> dict[str, Any]:
-    """Return times and quantities along a motion, fewer a wave where there are many waves."""
+    """Return times and quantities along a motion, at about `POINTS` instants of each wave."""
     waves = sum(q.s / q.wave(motion.case.cell.omega) for q in motion.segments)
     samples = motion.samples(min(POINTS, MOST / max(waves, 1.0)))
     found = map(np.concatenate, zip(*samples, strict=True))
@@ -72,9 +72,9 @@ def _drawn(
 
 
 def simulation_figure(motion: "Simulation") -> Figure:
-    """Draw a motion against time, and the phase plane with its late part.
+    """Draw a motion against time, and in the phase plane with its late part highlighted.
 
-    Displacement and velocity are drawn, and of a body the contact force.
+    Against time are displacement and velocity, and of a body the contact force.
     """
     figure = Figure(figsize=(9, 4.8), layout="constrained")
     columns = _columns(motion)
@@ -92,14 +92,14 @@ def simulation_figure(motion: "Simulation") -> Figure:
     return figure
 
 
-#: What can be drawn over a parameter, and what the axis says.
+#: The quantities that a diagram can show, and their axis labels.
 SEEN = {"displacement": "displacement [m]", "velocity": "velocity [m/s]"}
 
-#: Where no motion is, where it has not settled, and basins in turn: told apart in grey, too.
+#: Colours: no motion, not settled, and the basins in turn, which differ in grey as well.
 NONE, UNSETTLED = "white", "0.1"
 BASINS = ("0.85", "0.55", "#9ecae1", "#31729c", "#fdd0a2", "#b35806", "#c7e9c0", "#3f8f50")
 
-#: The mark of each attractor.
+#: The markers of attractors in turn.
 MARKS = "o^sDvP*X"
 
 
@@ -108,7 +108,7 @@ def draw_diagram(
 ) -> Any:
     """Draw the states of a diagram as points and return the axes.
 
-    A `ValueError` is raised if `quantity` is not one that there is.
+    A `ValueError` is raised if `quantity` is not a key of `SEEN`.
     """
     check_quantity(quantity, SEEN)
     axes, column = axes_or_new(ax), list(SEEN).index(quantity)
@@ -122,7 +122,7 @@ def draw_diagram(
 
 
 def draw_basins(result: "Basins", ax: Any = None) -> Any:
-    """Draw the starts of a grid by the attractors that they lead to and return the axes."""
+    """Draw the initial states of a grid, coloured by attractor, and return the axes."""
     axes, count = axes_or_new(ax), len(result.attractors)
     colors = [NONE, UNSETTLED, *(BASINS[i % len(BASINS)] for i in range(count))]
     axes.pcolormesh(
@@ -143,7 +143,7 @@ def draw_basins(result: "Basins", ax: Any = None) -> Any:
 
 
 def diagram_figure(result: "Diagram") -> Figure:
-    """Draw displacement and velocity of a diagram."""
+    """Draw displacement and velocity of a bifurcation diagram."""
     figure = Figure(figsize=(7, 6), layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True)
     draw_diagram(result, upper)

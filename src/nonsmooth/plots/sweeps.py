@@ -1,4 +1,4 @@
-"""How the methods of a scene converge: errors against the order, and against time."""
+"""Convergence of the methods of a scene: errors against the order, and computing time."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -33,12 +33,12 @@ def draw(result: "Sweep", ax: Any = None, quantity: str = "times", **style: Any)
 
 
 def name_of_error(scene: "LoadedScene", quantity: str) -> str:
-    """Return what an error is of, as a label says it."""
+    """Return the name of the quantity of an error, for labels."""
     return derivative(scene.k + 1) if quantity == "discontinuous" else f"the {quantity}"
 
 
 def derivative(order: int) -> str:
-    """Return a derivative of the displacement as a label has it: ``$x'$``."""
+    """Return a derivative of the displacement for labels, as ``$x'$``."""
     return "$x" + "'" * order + "$"
 
 
@@ -54,9 +54,9 @@ def convergence_figure(result: "Sweep") -> Figure:
 
 
 def trade_figure(result: "Trade") -> Figure:
-    """Draw error against time, each method a line, the front behind them.
+    """Draw errors against computing time, a line for each method, and the Pareto front.
 
-    Of a method the orders are drawn that no other of it beats in both: its own front.
+    The line of a method is its own Pareto front.
     """
     case = result.case
     figure = Figure(figsize=(7, 4.5), layout="constrained")
