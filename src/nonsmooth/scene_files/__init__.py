@@ -1,5 +1,5 @@
-"""Scenes of users: a file or an object is read, derived once, and kept.
+"""Scenes of users: a file or an object is read, and its kernels are derived once and kept.
 
-`read` runs a scene file, `content` hashes what is to be derived, `store` keeps the kernels in
-the user's cache, `find` takes whatever names a scene, and derives it.
+`read` runs a scene file, `content` hashes scenes, `store` keeps the kernels in the user's
+cache, and `find` returns a scene from its name, path or object.
 """

@@ -1,4 +1,4 @@
-"""Hashes of what kernels are made from: a scene, and the program that derives them."""
+"""Hashes of the inputs of kernels: a scene, and the program that derives its equations."""
 
 import hashlib
 from collections.abc import Iterable, Mapping
@@ -10,17 +10,17 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from nonsmooth.codegen.scene import Scene
 
-#: Folders of the symbolic stage that no kernel of a user's scene is made by.
+#: Folders of the symbolic stage that kernels of users' scenes do not depend on.
 OTHERS = {"scenes", "show", "printing", "__pycache__"}
 
 
 def key_of_text(text: bytes) -> str:
-    """Return the key of the text of a scene file."""
+    """Return the cache key of a scene file, from its text."""
     return _key(b"text", text)
 
 
 def key_of_scene(scene: "Scene") -> str:
-    """Return the key of a scene that was made in place: of its whole content."""
+    """Return the cache key of a scene object, from its whole content."""
     return _key(b"scene", _content(scene).encode())
 
 
@@ -32,7 +32,7 @@ def _key(*parts: bytes) -> str:
 
 
 def _content(value: Any) -> str:
-    """Return a text that says all of a scene or of a part of it."""
+    """Return a text that determines a scene, or a part of it, completely."""
     if hasattr(value, "arrays"):  # a body: its matrices by their hashes
         hashes = {name: matrix.digest for name, matrix in value.arrays.items()}
         value = [hashes, [*value.at], value.ratio, value.modes]
@@ -47,14 +47,14 @@ def _content(value: Any) -> str:
         return f"({', '.join(map(_content, value))})"
     if isinstance(value, str | bool | int | float | None):
         return repr(value)
-    from sympy import srepr  # noqa: PLC0415  (a scene is there, so SymPy is)
+    from sympy import srepr  # noqa: PLC0415  (needed by every scene, so it is loaded)
 
     return str(srepr(value))
 
 
 @cache
 def _generator() -> bytes:
-    """Return a hash of the text of the symbolic stage."""
+    """Return a hash of the source of the symbolic stage."""
     folder = (Path(__file__).resolve().parent.parent / "codegen").resolve()
     digest = hashlib.sha256()
     for path in _modules(folder):

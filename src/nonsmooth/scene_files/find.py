@@ -1,4 +1,4 @@
-"""Find a scene by whatever names it: a name, a path, an object."""
+"""Find a scene by its name, the path of its file, or as an object."""
 
 import sys
 from collections.abc import Callable
@@ -16,7 +16,7 @@ from .store import keep, say, stored
 
 
 def find_scene(what: object) -> LoadedScene:
-    """Return a scene, derived first if it is new; see `nonsmooth.scene.find`."""
+    """Return a scene; a new one is derived first.  See `nonsmooth.scene.find`."""
     if isinstance(what, LoadedScene):
         return what
     if isinstance(what, str) and not is_path(what):
@@ -44,7 +44,7 @@ def names() -> tuple[str, ...]:
 
 
 def _is_scene(what: object) -> bool:
-    """Whether it is a `Scene`; without SymPy there is none."""
+    """Whether an object is a `Scene`; SymPy is not imported to find out."""
     module = sys.modules.get("nonsmooth.codegen.scene")
     return module is not None and isinstance(what, module.Scene)
 
@@ -58,7 +58,10 @@ def _of_file(path: Path) -> LoadedScene:
 
 
 def _kept(key: str, made: Callable[[], Any], where: str) -> LoadedScene:
-    """Return the scene of a key, if it is kept; else that which is made, derived and kept."""
+    """Return the scene of a key from the cache; if it is new, make, derive and keep it.
+
+    `where` names its origin in messages.
+    """
     folder = stored(key)
     if folder is None:
         folder = keep(key, _derived(made(), where))
@@ -73,7 +76,7 @@ def _kept(key: str, made: Callable[[], Any], where: str) -> LoadedScene:
 def _derived(scene: Any, where: str) -> dict[str, str | bytes]:
     """Return the content of each generated file of a scene, by name.
 
-    A `SceneFileError` is raised if its name is that of a shipped one, or it cannot be derived.
+    A `SceneFileError` is raised if a shipped scene has its name, or it cannot be derived.
     """
     from nonsmooth.codegen.generate import scene_sources  # noqa: PLC0415  (SymPy)
 
@@ -92,7 +95,7 @@ def _derived(scene: Any, where: str) -> dict[str, str | bytes]:
 
 
 def _check_name(name: str, where: str) -> None:
-    """Check that a scene's name is not that of a shipped one; else a `SceneFileError`."""
+    """Raise a `SceneFileError` if the name of a scene is that of a shipped one."""
     if name.replace("_", "-") in registry.names():
         raise SceneFileError(
             f"{where}: name: got {name!r}, the name of a shipped scene; expected another"

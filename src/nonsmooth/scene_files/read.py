@@ -1,4 +1,4 @@
-"""Read a scene file: it is Python, and it is run; every mistake is one line."""
+"""Read a scene file by running it as Python; every error becomes a message of one line."""
 
 import os
 import sys
@@ -13,7 +13,7 @@ from .error import SceneFileError, one_line
 if TYPE_CHECKING:
     from nonsmooth.codegen.scene import Scene
 
-#: What a scene file defines.
+#: The name that a scene file assigns its scene to.
 NAME = "SCENE"
 
 
@@ -31,7 +31,7 @@ def is_path(text: str) -> bool:
 def text_of(path: Path) -> bytes:
     """Return the bytes of a scene file.
 
-    A `SceneFileError` is raised if there is none, or it cannot be read.
+    A `SceneFileError` is raised if it does not exist or cannot be read.
     """
     if path.is_dir():
         raise SceneFileError(f"{path}: a folder, expected a scene file")
@@ -73,7 +73,7 @@ def _compiled(path: Path, text: bytes) -> CodeType:
 
 
 def _run(path: Path, code: CodeType) -> dict[str, object]:
-    """Run the code; what it prints goes to stderr, since stdout is for results."""
+    """Run the code of a scene file and return its names; its output goes to stderr."""
     from nonsmooth.codegen.scene import SceneError  # noqa: PLC0415  (SymPy)
 
     module = ModuleType("nonsmooth_scene_file")
@@ -88,7 +88,7 @@ def _run(path: Path, code: CodeType) -> dict[str, object]:
 
 
 def _line(error: BaseException, path: Path) -> str:
-    """Return the line of the file in which it happened, in words."""
+    """Return in words the line of a file in which an error occurred; empty if in none."""
     lines = [
         line
         for frame, line in walk_tb(error.__traceback__)

@@ -1,7 +1,7 @@
-"""The user's cache: a folder of kernels for each scene, whole or not at all.
+"""The user's cache: a folder of kernels for each scene, written completely or not at all.
 
-What is in it is run, so it is the user's alone: it is made so, and a folder or file that others
-own or may write to is not used.
+Its files are run.  So it is private to the user: a folder or file that others own or may write
+to is not used.
 """
 
 import atexit
@@ -19,12 +19,12 @@ from nonsmooth.solver.scenes.sealed import NotPrivate, check_private
 
 from .error import SceneFileError
 
-#: Folders that go with the process, by key: where the cache cannot be written.
+#: Temporary folders of this process, by key, used where the cache cannot be written.
 _FOR_NOW: dict[str, Path] = {}
 
 
 def say(line: str) -> None:
-    """Print a line on what is being done."""
+    """Print a line of progress to stderr."""
     print(f"nonsmooth: {line}", file=sys.stderr, flush=True)
 
 
@@ -34,7 +34,7 @@ def root() -> Path:
 
 
 def stored(key: str) -> Path | None:
-    """Return the folder of a key, if it is there, as it was written, and the user's alone."""
+    """Return the folder of a key; None unless it exists, unchanged and private to the user."""
     folder = _FOR_NOW.get(key)
     try:
         if folder is None:
@@ -48,15 +48,20 @@ def stored(key: str) -> Path | None:
 def keep(key: str, files: Mapping[str, str | bytes]) -> Path:
     """Write the kernels of a scene and return their folder.
 
-    Where the cache cannot be written, or others could, they go into a temporary folder, for
-    this process only.
+    If the cache cannot be written, or is not private, they go into a temporary folder for this
+    process.
 
     Parameters
     ----------
     key : str
-        Of the scene; the name of the folder.
-    files : mapping of str to str
-        Content by name of file.
+        The cache key of the scene, and the name of the folder.
+    files : mapping of str to str or bytes
+        Contents by file name.
+
+    Raises
+    ------
+    SceneFileError
+        If no temporary folder can be written either.
     """
     target = root() / key
     try:
@@ -72,7 +77,7 @@ def keep(key: str, files: Mapping[str, str | bytes]) -> Path:
 
 
 def _make_root() -> None:
-    """Make the folder of all scenes, for the user alone."""
+    """Make the folder of all scenes, private to the user."""
     root().parent.parent.mkdir(parents=True, exist_ok=True)
     for folder in (root().parent, root()):
         folder.mkdir(mode=0o700, exist_ok=True)
@@ -93,7 +98,7 @@ def _is_whole(folder: Path) -> bool:
 
 
 def _put(files: Mapping[str, str | bytes], target: Path) -> None:
-    """Write a folder beside its place and put it there, unless another's is there already."""
+    """Write a temporary folder and move it to `target`, unless a complete one is there."""
     temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=".making-"))
     try:
         made = temporary / target.name
@@ -126,7 +131,7 @@ def _for_now(key: str, files: Mapping[str, str | bytes]) -> Path:
 
 
 def _write(files: Mapping[str, str | bytes], folder: Path) -> None:
-    """Write a folder that is new."""
+    """Write files into a new folder, private to the user, and seal it."""
     folder.mkdir(mode=0o700)
     contents = {
         name: content if isinstance(content, bytes) else content.encode()
