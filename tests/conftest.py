@@ -108,7 +108,7 @@ def nothing_spent(accounts: list[Account]) -> None:
     """
     Account.total = 0.0
     for account in accounts:
-        account.seconds = 0.0
+        account.seconds, account._looked = 0.0, -1.0
 
 
 Outcome = tuple[int, str, str]

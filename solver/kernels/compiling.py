@@ -53,7 +53,7 @@ class Account:
         self.seconds, self._compiling = 0.0, compiling
         self.is_compiled = False
         self._file, self._name = file, name
-        self._cached: bool | None = None
+        self._cached, self._looked = False, -1.0
 
     @contextmanager
     def spending(self) -> Iterator[None]:
@@ -77,11 +77,16 @@ class Account:
         return "numba" in sys.modules or Account.total >= START
 
     def is_cached(self) -> bool:
-        """Return whether numba's cache seems to have the compiled kernel, by names of files."""
-        if self._cached is None:
+        """Return whether numba's cache seems to have the compiled kernel, by names of files.
+
+        As another process may have compiled it, the cache is looked at again when the time
+        spent has doubled.
+        """
+        if not self._cached and self.seconds > 2 * self._looked:
             folder, pattern = os.environ.get("NUMBA_CACHE_DIR"), f"*.{self._name}-*.nbc"
             beside = (Path(self._file).parent / "__pycache__").glob(pattern)
             self._cached = any(Path(folder).rglob(pattern) if folder else beside)
+            self._looked = self.seconds
         return self._cached
 
 

@@ -58,6 +58,15 @@ def test_with_numba_there_a_cached_kernel_needs_little(
     assert account.pays()
 
 
+def test_what_another_process_has_compiled_is_found(account, tmp_path: Path) -> None:
+    spend(account, 2 * LOAD, others=START)
+    assert not account.pays()
+    cached(account, tmp_path)
+    assert not account.pays()  # looking takes time
+    spend(account, 5 * LOAD, others=START)
+    assert account.pays()
+
+
 def test_what_is_compiled_stays_so(account) -> None:
     account.is_compiled = True
     assert account.pays()
