@@ -88,12 +88,12 @@ class Interval:
         until the other is as near, or steps would only ever go a part of the way to it.
         """
         low, high = self.low, self.high
-        shortest, same = SHORTEST * abs(value), EQUAL * abs(value)
+        shortest, rounding = SHORTEST * abs(value), EQUAL * abs(value)
         yield self
         while high - low > shortest:
             below, above = value - low, high - value
-            low = (low + value) / 2 if below > max(same, above / 2) else low
-            high = (high + value) / 2 if above > max(same, below / 2) else high
+            low = (low + value) / 2 if below > max(rounding, above / 2) else low
+            high = (high + value) / 2 if above > max(rounding, below / 2) else high
             yield Interval(low, high)
 
 
@@ -130,24 +130,24 @@ def _series(
     """Return the Chebyshev coefficients of all entries; None where they are not resolved."""
     if not np.isfinite([values(interval.low), values(interval.high)]).all():
         return None
-    at, table = chebyshev(TERMS)
-    known = np.array([values(each) for each in map(interval.value, at)])
-    found = (table @ known).T
-    constant = (known == known[0]).all(axis=0)
-    found[constant] = 0.0
-    found[constant, 0] = known[0, constant]
-    sizes = np.abs(found).max(axis=1)
-    found[np.abs(found) <= ROUNDING * sizes[:, None]] = 0.0
+    nodes, table = chebyshev(TERMS)
+    samples = np.array([values(q) for q in map(interval.value, nodes)])
+    series = (table @ samples).T
+    constant = (samples == samples[0]).all(axis=0)
+    series[constant] = 0.0
+    series[constant, 0] = samples[0, constant]
+    sizes = np.abs(series).max(axis=1)
+    series[np.abs(series) <= ROUNDING * sizes[:, None]] = 0.0
     sizes = of_blocks(sizes, blocks)
-    return found if (np.abs(found[:, -2:]) <= ROUNDING * sizes[:, None]).all() else None
+    return series if (np.abs(series[:, -2:]) <= ROUNDING * sizes[:, None]).all() else None
 
 
 def of_blocks(sizes: Vector, blocks: Integers) -> Vector:
     """Return for each entry the largest size in its block."""
     largest = np.zeros(blocks.max() + 1)
     np.maximum.at(largest, blocks, sizes)
-    found: Vector = largest[blocks]
-    return found
+    block_sizes: Vector = largest[blocks]
+    return block_sizes
 
 
 def chebyshev(count: int) -> tuple[Vector, Matrix]:
@@ -160,16 +160,16 @@ def chebyshev(count: int) -> tuple[Vector, Matrix]:
 
 def weights(cell: Cell, z: Vector) -> Vector:
     """Return 1 over the scale of each unknown of a cell, and 1 for ``q``."""
-    count, more = len(cell.phases), len(cell.memory)
-    states, memory = z[: 2 * count], z[2 * count : 2 * count + more]
-    total = float(z[2 * count + more :][:count].sum())
-    largest = float(np.abs(z[: 2 * count + more]).max())
+    count, memories = len(cell.phases), len(cell.memory)
+    states, memory = z[: 2 * count], z[2 * count : 2 * count + memories]
+    total = float(z[2 * count + memories :][:count].sum())
+    largest = float(np.abs(z[: 2 * count + memories]).max())
     least = SMALL * largest if largest > ROUNDING else 1.0  # at rest at 0 at every switch
     sizes = np.ones(len(z) + 1)
     for j in range(2):
         sizes[j : 2 * count : 2] = max(float(np.abs(states[j::2]).max()), least)
-    sizes[2 * count : 2 * count + more] = np.maximum(np.abs(memory), least)
-    sizes[2 * count + more :][:count] = total
+    sizes[2 * count : 2 * count + memories] = np.maximum(np.abs(memory), least)
+    sizes[2 * count + memories :][:count] = total
     return 1 / sizes
 
 
@@ -180,10 +180,10 @@ def divided_phases(cell: Cell, durations: Vector) -> Integers:
     its row: else no equation puts the orbit on the surface.
     """
     count = len(cell.phases)
-    found = np.array([returns(cell, p) for p in range(count)], dtype=np.int64)
-    if found.all():
-        found[int(np.argmax(durations[:count]))] = 0
-    return found
+    divided = np.array([returns(cell, p) for p in range(count)], dtype=np.int64)
+    if divided.all():
+        divided[int(np.argmax(durations[:count]))] = 0
+    return divided
 
 
 def returns(cell: Cell, p: int) -> bool:
@@ -214,11 +214,11 @@ def begins_slowly(cell: Cell, p: int) -> bool:
     force = -phase.k, 0.0, phase.g, phase.f
     if of_speed(cell, p):
         return same(before.event, force)
-    slope, *others, constant = phase.event
-    if any(others) or not same(earlier(cell, p, 2).event, phase.event):
+    slope, *varying, constant = phase.event
+    if any(varying) or not same(earlier(cell, p, 2).event, phase.event):
         return False
-    there = 0.0, 0.0, phase.g, phase.f + phase.k * constant / slope
-    return same(before.event, force) or same(before.event, there)
+    force_at_surface = 0.0, 0.0, phase.g, phase.f + phase.k * constant / slope
+    return same(before.event, force) or same(before.event, force_at_surface)
 
 
 def begins_as_set(cell: Cell, p: int) -> bool:
@@ -226,13 +226,13 @@ def begins_as_set(cell: Cell, p: int) -> bool:
     before, event = earlier(cell, p, 1), cell.phases[p].event
     if not event[0] or any(event[1:3]) or before.event[0] or any(before.event[2:]):
         return False
-    terms, own = [np.array(event[:4])], False
-    for factor, each in zip(event[4:], cell.memory, strict=True):
+    terms, sets_memory = [np.array(event[:4])], False
+    for factor, memory in zip(event[4:], cell.memory, strict=True):
         if factor:
-            own = each.phase == p
-            terms.append(factor * np.array(each.value[:4]))
+            sets_memory = memory.phase == p
+            terms.append(factor * np.array(memory.value[:4]))
     sizes = np.abs(terms).max(axis=0)
-    return own and bool((np.abs(np.sum(terms, axis=0)) <= EQUAL * sizes).all())
+    return sets_memory and bool((np.abs(np.sum(terms, axis=0)) <= EQUAL * sizes).all())
 
 
 def of_speed(cell: Cell, p: int) -> bool:
@@ -248,5 +248,5 @@ def of_velocity(form: Form) -> bool:
 
 def earlier(cell: Cell, p: int, by: int) -> Phase:
     """Return the phase `by` before phase p, mirrored if it is in the half period before."""
-    found = cell.phases[(p - by) % len(cell.phases)]
-    return mirror(found) if p < by and cell.sign < 0 else found
+    phase = cell.phases[(p - by) % len(cell.phases)]
+    return mirror(phase) if p < by and cell.sign < 0 else phase

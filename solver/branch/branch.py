@@ -59,14 +59,14 @@ class BothWays:
     def points(self) -> list[tuple[Piece, Place]]:
         """Return its orbits, from end to end."""
         back, forth = (
-            [q for each in way for q in each.points] for way in (self.back, self.forth)
+            [q for segment in way for q in segment.points] for way in (self.back, self.forth)
         )
         return [*reversed(back[1:]), *forth] if forth else [*reversed(back)]
 
     def events(self) -> list[Found]:
         """Return its events, in the same order."""
         back, forth = (
-            [q for each in way for q in each.events] for way in (self.back, self.forth)
+            [q for segment in way for q in segment.events] for way in (self.back, self.forth)
         )
         return [*reversed(back), *forth]
 
@@ -80,12 +80,12 @@ class BothWays:
 def course_of(case: Case) -> Course:
     """Return the order of phases of a case of one motion."""
     scene = case.scene
-    made = BodyCourse if scene.has_body else Course
+    kind = BodyCourse if scene.has_body else Course
     if isinstance(scene, OrderedScene):
-        return made(scene.base, scene.order, case.cycles)
+        return kind(scene.base, scene.order, case.cycles)
     base = scene.whole.fullest
     steps = tuple(Step(base.phases.index(name)) for name in scene.phases)
-    return made(base, Order(steps, scene.half_period), case.cycles)
+    return kind(base, Order(steps, scene.half_period), case.cycles)
 
 
 def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Place]:
@@ -100,15 +100,15 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
         If its equations are singular.
     """
     case, course = orbit.case, course_of(orbit.case)
-    own = np.append(course.unknowns(orbit), case.numbers[index])
-    piece = Piece.at(course, case, index, bounds, own)
-    y = piece.of_number(own)
+    unknowns = np.append(course.unknowns(orbit), case.numbers[index])
+    piece = Piece.at(course, case, index, bounds, unknowns)
+    y = piece.of_number(unknowns)
     half = symmetric(piece, y)
     if half is not None:
         with suppress(ArithmeticError):  # another value may leave no image
-            shorter = halved(piece, half, y)
-            piece, own = Piece.at(half, case, index, bounds, shorter), shorter
-    border, y = np.append(np.zeros(len(own) - 1), 1.0), piece.of_number(own)
+            half_unknowns = halved(piece, half, y)
+            piece, unknowns = Piece.at(half, case, index, bounds, half_unknowns), half_unknowns
+    border, y = np.append(np.zeros(len(unknowns) - 1), 1.0), piece.of_number(unknowns)
     if case.values[piece.name] in bounds:  # there exactly
         y[-1] = np.copysign(1.0, y[-1])
     try:
@@ -127,12 +127,12 @@ def go(
     """Follow a branch from an orbit, backward, then forward; add the segments to `found`."""
     piece, place = aside(*start)
     back = piece.place(place.y, -place.tangent)
-    for way, first in ((found.back, back), (found.forth, place)):
+    for segments, first in ((found.back, back), (found.forth, place)):
         there: tuple[Piece, Place] | None = (piece, first)
         end: Found | None = None
-        while there is not None and len(way) < MOST_SEGMENTS:
+        while there is not None and len(segments) < MOST_SEGMENTS:
             segment = begun(end, there, part)
-            way.append(segment)
+            segments.append(segment)
             follow(segment, (piece, first), part, seen)
             cut_where_violated(segment)
             end = segment.end
@@ -140,7 +140,7 @@ def go(
             if there is not None and len(there[0].course.order.steps) > there[0].course.most:
                 segment.why = f"beyond, an orbit has more than {there[0].course.most} phases"
                 there = None
-        if way[-1].why == CLOSED:
+        if segments[-1].why == CLOSED:
             return
 
 
@@ -152,16 +152,16 @@ def aside(piece: Piece, place: Place) -> tuple[Piece, Place]:
     """
     orbit = place.monitors[len(place.monitors) - OWN :]
     special = (np.abs(orbit[[FOLD, FLIP, MEETS]]) <= NEUTRAL).any()
-    for side in (ASIDE, -ASIDE):
+    for distance in (ASIDE, -ASIDE):
         with suppress(ArithmeticError):
-            there = piece.stepped(place, side)
-            y = there.y
-            if abs(y[-1]) > 1 or not piece.admits(there):
+            beside = piece.stepped(place, distance)
+            y = beside.y
+            if abs(y[-1]) > 1 or not piece.admits(beside):
                 continue
             table = piece.course.table(piece.numbers(y), y[:-1], piece.rows)
             if not np.array_equal(table, piece.table):
-                return piece.moved(there)
-            return (piece, there) if special else (piece, place)
+                return piece.moved(beside)
+            return (piece, beside) if special else (piece, place)
     return piece, place
 
 
@@ -175,11 +175,11 @@ def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segme
     segment = Segment([there])
     if since is None:
         return segment
-    first = piece, piece.place(place.y, -place.tangent)
-    back = Segment([first])
-    follow(back, first, part, most=FEW)
-    near = SAME * (piece.bounds[1] - piece.bounds[0])
-    if back.end is not None and abs(back.end.value - since.value) <= near:
+    turned = piece, piece.place(place.y, -place.tangent)
+    back = Segment([turned])
+    follow(back, turned, part, most=FEW)
+    tolerance = SAME * (piece.bounds[1] - piece.bounds[0])
+    if back.end is not None and abs(back.end.value - since.value) <= tolerance:
         segment.points = [*reversed(back.points[1:-1]), there]
         segment.events = [*reversed(back.events[:-1])]
     return segment
@@ -191,21 +191,21 @@ def cut_where_violated(segment: Segment) -> None:
     Such conditions are that a phase does not end sooner, and that no other phase follows.  A
     few orbits are checked, and the first violation between two of them is found by bisection.
     """
-    points, last = segment.points, 0
+    points, admissible = segment.points, 0
     count = len(points) - (segment.end is not None)  # at its end an orbit is none any more
-    asked = {count * part // 4 for part in (1, 2, 3)}
+    checked = {count * part // 4 for part in (1, 2, 3)}
     if segment.end is None:
-        asked.add(count - 1)
-    for i in sorted(asked):
+        checked.add(count - 1)
+    for i in sorted(checked):
         if not _violations(*points[i]):
-            last = i
+            admissible = i
             continue
-        low = min(last + 1, i)
+        low = min(admissible + 1, i)
         first = low + bisect(range(low, i), 0, key=lambda j: len(_violations(*points[j])))
         segment.why = f"beyond, {_violations(*points[first])[0]}"
         del points[first:]
-        kept = {id(place) for _, place in points}
-        segment.events = [event for event in segment.events if id(event.place) in kept]
+        remaining = {id(place) for _, place in points}
+        segment.events = [event for event in segment.events if id(event.place) in remaining]
         return
 
 

@@ -75,17 +75,17 @@ class Course(Itinerary):
 
     def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
         """Return the watched forms, by an orbit that is not at an event."""
-        cell, found = self.cell(numbers), []
+        cell, rows = self.cell(numbers), []
         machine = self.machine(numbers)
         for p, phase in enumerate(cell.phases):
-            found += [Row(p, WITHIN, i) for i in range(len(phase.demands))]
-            found += [Row(p, AT_SWITCH, i) for i in range(len(phase.switch_demands))]
+            rows += [Row(p, WITHIN, i) for i in range(len(phase.demands))]
+            rows += [Row(p, AT_SWITCH, i) for i in range(len(phase.switch_demands))]
             v = None if self.endless else self.velocity_behind(cell, z, p)
             for h, node in enumerate(machine.nodes):
                 ended = machine.node(self.order.steps[p])
                 if v is not None and _may_hold(machine.nodes, ended, h, v):
-                    found += [Row(p, BEHIND, i, h) for i in range(len(node.phase.demands))]
-        return found
+                    rows += [Row(p, BEHIND, i, h) for i in range(len(node.phase.demands))]
+        return rows
 
     def velocity_behind(self, cell: Cell, z: Vector, p: int) -> float | None:
         """Return the velocity behind phase p, where a held phase could follow; else None."""
@@ -108,9 +108,9 @@ class Course(Itinerary):
         """
         step = self.order.steps[row.phase]
         held = self.base.kinds[step.phase][1]
-        still = held or row.kind != WITHIN or self._is_of_velocity(row)
-        still = still or (column == START and begins > 1)
-        return "sticking" if self.can_rest and still else "grazing"
+        without_speed = held or row.kind != WITHIN or self._is_of_velocity(row)
+        without_speed = without_speed or (column == START and begins > 1)
+        return "sticking" if self.can_rest and without_speed else "grazing"
 
     def _is_of_velocity(self, row: Row) -> bool:
         """Whether a form is of the velocity, and not of the displacement."""
@@ -125,17 +125,17 @@ class Course(Itinerary):
     ) -> list[Form]:
         """Return the forms of rows as a cell has them; see `before`."""
         declared = self.declares(numbers)
-        found: list[Form] = []
+        forms: list[Form] = []
         for row in rows:
             phase = cell.phases[row.phase]
             if row.kind == BEHIND:
                 mirrored, p = divmod(row.node, len(declared.phases))
                 node = declared.carrying(p)
-                found.append(self.before(cell, mirror(node) if mirrored else node, row))
+                forms.append(self.before(cell, mirror(node) if mirrored else node, row))
             else:
                 demands = phase.demands if row.kind == WITHIN else phase.switch_demands
-                found.append(demands[row.number][1])
-        return found
+                forms.append(demands[row.number][1])
+        return forms
 
     def before(self, cell: Cell, node: Phase, row: Row) -> Form:
         """Return a demand of the phase that could hold the motion behind a switch.
@@ -144,8 +144,8 @@ class Course(Itinerary):
         """
         x, v, cos, constant = node.demands[row.number][1][:4]
         ended = cell.phases[row.phase]
-        own = x, v * ended.rho, cos, constant + v * ended.d
-        return *own, *[0.0] * len(cell.memory)
+        form = x, v * ended.rho, cos, constant + v * ended.d
+        return *form, *[0.0] * len(cell.memory)
 
     def along(
         self, content: Content, value: float, interval: Interval, z: Vector
@@ -166,10 +166,10 @@ class Course(Itinerary):
 
         def values(at: float) -> Vector:
             try:
-                found: Vector = self.entries(*content(at))
+                entries: Vector = self.entries(*content(at))
             except (BodyError, ParameterError):  # no such oscillator
-                found = np.empty(0)
-            return found if len(found) == len(blocks) else np.full(len(blocks), np.nan)
+                entries = np.empty(0)
+            return entries if len(entries) == len(blocks) else np.full(len(blocks), np.nan)
 
         series, interval = resolved(values, value, interval, blocks)
         others = (content(at)[0] for at in interval.some())
@@ -177,8 +177,8 @@ class Course(Itinerary):
 
     def entries(self, cell: Cell, forms: list[Form]) -> Vector:
         """Return all entries of the arrays of a cell that may vary, followed by the forms."""
-        found, rows = arrays(cell), np.array(forms, dtype=float)
-        parts = (found.numbers, found.memory, found.cell, rows)
+        cell_arrays, rows = arrays(cell), np.array(forms, dtype=float)
+        parts = (cell_arrays.numbers, cell_arrays.memory, cell_arrays.cell, rows)
         return np.concatenate([part.ravel() for part in parts])
 
     def blocks(self, cell: Cell, forms: list[Form]) -> Integers:
@@ -190,7 +190,7 @@ class Course(Itinerary):
 
         `z` are unknowns of typical size, `others` the cells at `Interval.some`.
         """
-        found, before = arrays(cell), 2 * len(cell.phases) + len(cell.memory)
+        cell_arrays, before = arrays(cell), 2 * len(cell.phases) + len(cell.memory)
         divided, cells = divided_phases(cell, z[before:]), (cell, *others)
         for p in range(len(cell.phases)):
             begins = begins_still if divided[p] else begins_slowly
@@ -199,8 +199,8 @@ class Course(Itinerary):
                 divided[p] = 3 if slowly else 2
             elif all(begins_as_set(each, p) for each in cells):
                 divided[p] = 2
-        given = found.kinds, found.setting, series, divided, weights(cell, z)
-        return Along(*given, before, float(cell.sign))
+        arguments = cell_arrays.kinds, cell_arrays.setting, series, divided, weights(cell, z)
+        return Along(*arguments, before, float(cell.sign))
 
     def by(self, name: str, *arguments: Any) -> Any:
         """Call a function of `walk` and what it is linked with, by name; see `Family.call`."""
@@ -242,13 +242,13 @@ class Course(Itinerary):
     ) -> Vector:  # fmt: skip
         """Return the unknowns of an orbit from states, durations and angle; memories follow."""
         cell, memory = self.cell(numbers), []
-        angles_ = angle + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
-        for each in cell.memory:
-            p, (x, v, cos, constant) = each.phase, each.value[:4]
-            own = x * states[p][0] + v * states[p][1]
-            memory.append(own + cos * np.cos(angles_[p]) + constant)
-        turn = [angle] if cell.forced else []
-        return np.array([*chain.from_iterable(states), *memory, *durations, *turn])
+        phases = angle + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
+        for remembered in cell.memory:
+            p, (x, v, cos, constant) = remembered.phase, remembered.value[:4]
+            of_state = x * states[p][0] + v * states[p][1]
+            memory.append(of_state + cos * np.cos(phases[p]) + constant)
+        forcing_phase = [angle] if cell.forced else []
+        return np.array([*chain.from_iterable(states), *memory, *durations, *forcing_phase])
 
     def orbit(self, case: Case, z: Vector) -> ExactOrbit:
         """Return the exact orbit that Newton's method finds from unknowns of a case."""
@@ -276,8 +276,8 @@ class Course(Itinerary):
             self._generic.phases[p], m=m, c=c, k=k, f=f, g=g, speed=speed, memory=()
         )
         x, v, angle = map(float, (z[2 * p], z[2 * p + 1], angles(case, z, places(case))[p]))
-        found = state_at(phase, x, v, angle, float(case[4][1]), t)
-        return float(found[0]), float(found[1])
+        state = state_at(phase, x, v, angle, float(case[4][1]), t)
+        return float(state[0]), float(state[1])
 
     def moving_at(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return displacement and velocity at time t of phase p; see `state`."""
@@ -291,27 +291,27 @@ class Course(Itinerary):
         """Return the Taylor coefficients of form `i` at the start of phase p."""
         angle, form = angles(case, z, places(case))[p], watch.form_of(case, z, i)
         equation, state = phase_numbers(case, z, p), (z[2 * p], z[2 * p + 1])
-        found: Vector = watch.taylor(equation, case[4][1], angle, *state, form)
-        return found
+        coefficients: Vector = watch.taylor(equation, case[4][1], angle, *state, form)
+        return coefficients
 
     def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
         """Return the table of rows for `watch`; `z` is an orbit that is not at an event."""
         cell, count = self.cell(numbers), len(self.order.steps)
-        own = self.demanded(numbers, rows, cell)
+        forms = self.demanded(numbers, rows, cell)
         case = self.case_of(cell, self.forms(numbers, rows, cell))
         rate = max(cell.omega, 1.0 / float(z[len(z) - count - cell.forced :][:count].sum()))
-        found = np.zeros((len(rows), 5), dtype=np.int64)
+        table = np.zeros((len(rows), 5), dtype=np.int64)
         for i, row in enumerate(rows):
-            found[i] = row.phase, row.kind, 0, 0, i
+            table[i] = row.phase, row.kind, 0, 0, i
             if row.kind == WITHIN:
                 sizes = np.abs(self.terms(case, z, row.phase, i)[:HIGHEST])
                 sizes /= rate ** np.arange(HIGHEST)
-                found[i, watch.BEGINS] = int(np.argmax(sizes > ROUNDING * sizes.max()))
-                found[i, watch.IS_END] = same(own[i], cell.phases[row.phase].event)
+                table[i, watch.BEGINS] = int(np.argmax(sizes > ROUNDING * sizes.max()))
+                table[i, watch.IS_END] = same(forms[i], cell.phases[row.phase].event)
             elif row.kind == BEHIND:
                 alike = ((q.phase, q.node) == (row.phase, row.node) for q in rows)
-                found[i, watch.INTO] = list(alike).index(True)
-        return found
+                table[i, watch.INTO] = list(alike).index(True)
+        return table
 
 
 def _may_hold(nodes: Sequence[Node], ended: Node, h: int, v: float) -> bool:

@@ -37,21 +37,21 @@ def in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
     Where several monitors vanish at one place, one event stands for all: a change of the order
     of phases before others, and among these that of `TURNS`.
     """
-    every = sorted(found, key=lambda each: each[0])
-    events = [(at, event) for at, event in every if event is not None]
+    ordered = sorted(found, key=lambda each: each[0])
+    events = [(at, event) for at, event in ordered if event is not None]
     first = next((at for at, event in events if event.changes), None)
-    if any(event is None and (first is None or at <= first) for at, event in every):
+    if any(event is None and (first is None or at <= first) for at, event in ordered):
         raise NoStepError
     if first is None:
         return [event for _, event in events]
-    here = [event for at, event in events if event.changes and at - first <= SAME * first]
+    joint = [event for at, event in events if event.changes and at - first <= SAME * first]
     vanish = (event for _, event in events if event.changes and event.column is None)
-    own = {event.phase: SAME * abs(event.value) for event in here}
-    here += [q for q in vanish if abs(q.value - here[0].value) <= own.get(q.phase, -1.0)]
-    change = min(here, key=lambda each: TURNS.index(each.column))
-    near = SAME * abs(change.value)
+    errors = {event.phase: SAME * abs(event.value) for event in joint}
+    joint += [q for q in vanish if abs(q.value - joint[0].value) <= errors.get(q.phase, -1.0)]
+    change = min(joint, key=lambda each: TURNS.index(each.column))
+    error = SAME * abs(change.value)
     before = (event for at, event in events if at < first and not event.changes)
-    return [*(q for q in before if abs(q.value - change.value) > near), change]
+    return [*(q for q in before if abs(q.value - change.value) > error), change]
 
 
 def events_in(
@@ -72,17 +72,17 @@ def events_in(
     NoStepError
         If an event is not located.
     """
-    found: list[tuple[float, Found | None]] = []
+    events: list[tuple[float, Found | None]] = []
     edge = _edge(piece, before, after)
     if edge is not None:  # no more counts than what is on the way to it
-        found.append(edge)
+        events.append(edge)
         length, after = edge[0], edge[1].place
         if length <= 0:  # there the step begins
-            return found
+            return events
     start, end = before.monitors, after.monitors
     watched = len(start) - OWN
-    found += _watched(piece, before, after, length)
-    changes = [at for at, event in found if event is not None and event.changes]
+    events += _watched(piece, before, after, length)
+    changes = [at for at, event in events if event is not None and event.changes]
     if changes:
         length, after = _before(piece, before, min(changes, key=abs))
         end = after.monitors
@@ -92,9 +92,9 @@ def events_in(
         if i - watched != OUTSIDE:
             real += located(piece, before, after, length, i)
     if own:
-        found += torus_crossings(piece, before, after, length, [at for at, _ in real])
-    kept = [each for each in found + real if each[1] is None or _is_within(each[1])]
-    if len(kept) < len(found + real):  # the step turns back beyond the range
+        events += torus_crossings(piece, before, after, length, [at for at, _ in real])
+    kept = [entry for entry in events + real if entry[1] is None or _is_within(entry[1])]
+    if len(kept) < len(events + real):  # the step turns back beyond the range
         raise NoStepError
     return kept
 
@@ -146,12 +146,12 @@ def _edge(piece: Piece, before: Place, after: Place) -> tuple[float, Found] | No
     edge = float(after.y[-1])
     if abs(edge) <= 1:
         return None
-    side = float(np.copysign(1.0, edge))
-    part = (side - float(before.y[-1])) / (edge - float(before.y[-1]))
+    bound = float(np.copysign(1.0, edge))
+    part = (bound - float(before.y[-1])) / (edge - float(before.y[-1]))
     y = before.y + part * (after.y - before.y)
-    y[-1] = side
-    there = piece.corrected(y, np.append(np.zeros(len(y) - 1), 1.0))
-    at = float(before.tangent @ ((there - before.y) * piece.along.weights))
-    place = piece.place(there, before.tangent)
+    y[-1] = bound
+    unknowns = piece.corrected(y, np.append(np.zeros(len(y) - 1), 1.0))
+    length = float(before.tangent @ ((unknowns - before.y) * piece.along.weights))
+    place = piece.place(unknowns, before.tangent)
     place.monitors[np.abs(place.monitors) <= AT_EDGE] = 0.0  # nothing happens there by rounding
-    return at, Found(EDGE, None, None, piece, place)
+    return length, Found(EDGE, None, None, piece, place)

@@ -63,30 +63,30 @@ def chebyshev_at(q: float, count: int) -> Vector:
 
 def series_at(series: Matrix, q: float) -> Vector:
     """Return the values of Chebyshev series at q, a row of coefficients each."""
-    found: Vector = np.dot(series, chebyshev_at(q, series.shape[1]))
-    return found
+    values: Vector = np.dot(series, chebyshev_at(q, series.shape[1]))
+    return values
 
 
 def case_at(along: Any, q: float) -> Any:
     """Return the arrays of the cell at q, followed by its watched forms."""
     kinds, setting = along[0], along[1]
     values = series_at(along[2], q)
-    count, more = len(kinds), len(setting)
-    first = count * (MEMORY + 2 * more)
-    second = first + 4 * more
-    numbers = values[:first].reshape(count, MEMORY + 2 * more)
-    memory = values[first:second].reshape(more, 4)
-    forms = values[second + 3 :].reshape(-1, 4 + more)
+    count, memories = len(kinds), len(setting)
+    first = count * (MEMORY + 2 * memories)
+    second = first + 4 * memories
+    numbers = values[:first].reshape(count, MEMORY + 2 * memories)
+    memory = values[first:second].reshape(memories, 4)
+    forms = values[second + 3 :].reshape(-1, 4 + memories)
     return kinds, numbers, setting, memory, values[second : second + 3], forms
 
 
 def with_least_durations(case: Any, z: Vector, least: float) -> Vector:
     """Return unknowns with durations of at least `least`: events are divided by them."""
-    found, first = z.copy(), 2 * len(case[0]) + len(case[2])
+    unknowns, first = z.copy(), 2 * len(case[0]) + len(case[2])
     for i in range(first, first + len(case[0])):
-        if abs(found[i]) < least:
-            found[i] = copysign(least, found[i])
-    return found
+        if abs(unknowns[i]) < least:
+            unknowns[i] = copysign(least, unknowns[i])
+    return unknowns
 
 
 def residual_along(along: Any, z: Vector, q: float, R: Vector) -> None:
@@ -154,7 +154,7 @@ def fastest_rate(case: Any, z: Vector, p: int) -> float:
 
 def residual_and_jacobian(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     """Fill R with the residual of the equations of a cell, J with its derivatives by z."""
-    own, z = z, with_least_durations(case, z, A_MOMENT)
+    unclipped, z = z, with_least_durations(case, z, A_MOMENT)
     at, count = places(case), len(case[0])
     theta = angles(case, z, at)
     gained, gained_by = ends(case, z, theta)
@@ -183,8 +183,8 @@ def residual_and_jacobian(case: Any, divided: Any, z: Vector, R: Vector, J: Matr
                 above = divided_event(case, divided, z, at, gained, theta, p, s + h)
                 below = divided_event(case, divided, z, at, gained, theta, p, s - h)
                 J[row, at_s] = (above - below) / (2 * h)
-    if (own != z).any():
-        residual_of(case, divided, own, R)
+    if (unclipped != z).any():
+        residual_of(case, divided, unclipped, R)
 
 
 def jacobian_along(along: Any, z: Vector, q: float, J: Matrix) -> None:
@@ -265,17 +265,17 @@ def tangent(along: Any, y: Vector, border: Vector) -> tuple[Vector, float]:
     """
     n = len(y) - 1
     J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)
-    found, least, sign = np.zeros(n + 1), np.inf, 1.0
-    found[n] = 1.0
+    direction, least_pivot, sign = np.zeros(n + 1), np.inf, 1.0
+    direction[n] = 1.0
     bordered(along, y, border, J, scales)
     if not factorise(J, rows):  # a pivot is 0, or nothing is known
-        return found * np.nan, 0.0 if np.isfinite(J).all() else np.nan
+        return direction * np.nan, 0.0 if np.isfinite(J).all() else np.nan
     for j in range(n + 1):
-        least = min(least, abs(J[j, j]))
+        least_pivot = min(least_pivot, abs(J[j, j]))
         if (J[j, j] < 0) == (rows[j] == j):
             sign = -sign
-    solve_factorised(J, rows, found)
+    solve_factorised(J, rows, direction)
     size = 0.0
     for j in range(n + 1):
-        size += found[j] * found[j]
-    return found / sqrt(size), sign * least
+        size += direction[j] * direction[j]
+    return direction / sqrt(size), sign * least_pivot

@@ -107,11 +107,11 @@ def follow(
 
 def _why_stuck(piece: Piece, place: Place) -> str:
     """Return why no step succeeds: the parameter is out of bounds ahead, or none is known."""
-    unit, given = unit_of(piece.case, piece.index), piece.case.numbers
-    way = AHEAD * float(np.copysign(piece.bounds[1] - piece.bounds[0], place.tangent[-1]))
-    ahead = piece.value(place.y) + way
+    unit, parameters = unit_of(piece.case, piece.index), piece.case.numbers
+    reach = AHEAD * float(np.copysign(piece.bounds[1] - piece.bounds[0], place.tangent[-1]))
+    ahead = piece.value(place.y) + reach
     if piece.bounds[0] <= ahead <= piece.bounds[1]:
-        numbers = (*given[: piece.index], ahead / unit, *given[piece.index + 1 :])
+        numbers = (*parameters[: piece.index], ahead / unit, *parameters[piece.index + 1 :])
         try:
             piece.course.cell(numbers)
         except ParameterError as error:
@@ -126,16 +126,16 @@ def _meets(
 
     Not if the order of phases changes before.
     """
-    there = met(piece, places)
-    if there is None:
+    encounter = met(piece, places)
+    if encounter is None:
         return False
-    i, part = there
+    i, part = encounter
     before, after = places[i : i + 2]
     if why == EVENT and i + 2 == len(places):
         length = float(lengths[i])
         with suppress(NoStepError):
-            every = events_in(piece, before, after, length)
-            if any(event and event.changes and at < part * length for at, event in every):
+            events = events_in(piece, before, after, length)
+            if any(event and event.changes and at < part * length for at, event in events):
                 return False
     found.points += [(piece, place) for place in places[1 : i + 1]]
     found.events.append(meeting(piece, half, before, after))
@@ -176,19 +176,19 @@ def _closed(
     first: tuple[Piece, Place], piece: Piece, places: list[Place], lengths: Vector
 ) -> int | None:
     """Return the number of the step that passes the first orbit of a branch again, if any."""
-    there, place = first
-    if piece.course != there.course or not places:
+    first_piece, place = first
+    if piece.course != first_piece.course or not places:
         return None
-    begin = in_units(there, piece, place.y)
-    away = (np.array([each.y for each in places]) - begin) * piece.along.weights
-    ahead = (away * np.array([each.tangent for each in places])).sum(axis=1)
-    near = np.linalg.norm(away, axis=1) <= NEAR * lengths
-    passed = np.flatnonzero(near & (ahead >= 0) & (ahead <= lengths))
+    origin = in_units(first_piece, piece, place.y)
+    offsets = (np.array([other.y for other in places]) - origin) * piece.along.weights
+    ahead = (offsets * np.array([other.tangent for other in places])).sum(axis=1)
+    is_near = np.linalg.norm(offsets, axis=1) <= NEAR * lengths
+    passed = np.flatnonzero(is_near & (ahead >= 0) & (ahead <= lengths))
     return int(passed[0]) if len(passed) else None
 
 
 def in_units(there: Piece, piece: Piece, y: Vector) -> Vector:
     """Return the unknowns of an orbit of the piece `there` in the units of `piece`."""
-    found = y * there.sizes / piece.sizes
-    found[-1] = piece.interval.q(there.value(y) / unit_of(piece.case, piece.index))
-    return np.asarray(found)
+    unknowns = y * there.sizes / piece.sizes
+    unknowns[-1] = piece.interval.q(there.value(y) / unit_of(piece.case, piece.index))
+    return np.asarray(unknowns)

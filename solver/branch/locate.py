@@ -91,23 +91,23 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
     def place_at(at: float) -> Place:
         return piece.stepped(before, at) if at else before
 
-    def own(place: Place) -> float:
+    def of_monitor(place: Place) -> float:
         return float(place.monitors[i])
 
     try:
-        turns = i - (len(before.monitors) - OWN) == OUTSIDE
-        monitor = beyond_circle(piece, *map(place_at, ends)) if turns else own
+        is_count = i - (len(before.monitors) - OWN) == OUTSIDE
+        monitor = beyond_circle(piece, *map(place_at, ends)) if is_count else of_monitor
 
         sizes = [abs(monitor(place_at(at))) for at in ends]
         no_orbit, rounding = np.isnan(sizes).any(), ROUNDING * max(sizes)
 
         def value(at: float) -> float:
-            found = monitor(place_at(at))
-            if np.isnan(found):
+            height = monitor(place_at(at))
+            if np.isnan(height):
                 return 1.0
             if no_orbit:  # what vanishes where orbits end does so like a square
-                return math.copysign(math.sqrt(abs(found)), found)
-            return 0.0 if abs(found) <= rounding else found
+                return math.copysign(math.sqrt(abs(height)), height)
+            return 0.0 if abs(height) <= rounding else height
 
         at = float(
             brentq(value, *ends, xtol=NEAR * max(map(abs, ends)), rtol=NEAR, maxiter=200)
@@ -169,9 +169,9 @@ def by_cubic(
     """
     part, y = _cubic(piece, before, after, p)
     place, i = replace(before, y=y), 3 * len(piece.table) + p
-    found = Found(_kind_of_vanishing(piece, p), p, None, piece, place, i)
-    _, other = _cubic(piece, before, piece.stepped(before, 2 * length), p)
-    return part * length, replace(found, estimate=abs(piece.value(other) - found.value))
+    event = Found(_kind_of_vanishing(piece, p), p, None, piece, place, i)
+    _, coarser = _cubic(piece, before, piece.stepped(before, 2 * length), p)
+    return part * length, replace(event, estimate=abs(piece.value(coarser) - event.value))
 
 
 def _cubic(piece: Piece, before: Place, after: Place, p: int) -> tuple[float, Vector]:
@@ -180,9 +180,9 @@ def _cubic(piece: Piece, before: Place, after: Place, p: int) -> tuple[float, Ve
     first, last = float(before.y[j]), float(after.y[j])
     span, part = last - first, first / (first - last)
     slopes = [q.tangent / piece.along.weights for q in (before, after)]
-    one, other = (span * slope / slope[j] for slope in slopes)
+    first_tangent, last_tangent = (span * slope / slope[j] for slope in slopes)
     chord = after.y - before.y
-    bent = (1 - part) * (one - chord) - part * (other - chord)
+    bent = (1 - part) * (first_tangent - chord) - part * (last_tangent - chord)
     return part, before.y + part * (chord + (1 - part) * bent)
 
 
@@ -194,25 +194,25 @@ def torus_crossings(
     Their number outside changes by two.  At `real`, the places of folds and flips, where it
     changes by one, the step is divided.
     """
-    which = len(before.monitors) - OWN + OUTSIDE
+    monitor = len(before.monitors) - OWN + OUTSIDE
     ends, beside = [(0.0, before)], SHORT * length
     for at in sorted(real, key=lambda at: at / length):
         ends += [(q, piece.stepped(before, q)) for q in (at - beside, at + beside)]
     ends.append((length, after))
     parts = [(*ends[i], *ends[i + 1]) for i in range(0, len(ends), 2)]
     while parts:
-        low, one, high, other = parts.pop()
-        if not abs(other.monitors[which] - one.monitors[which]) > 1:
+        low, start, high, end = parts.pop()
+        if not abs(end.monitors[monitor] - start.monitors[monitor]) > 1:
             continue
         with suppress(NoStepError):
-            at, place = root(piece, before, (low, high), which)
-            if _crosses_as_pair(piece, place, one, other):
-                yield at, Found("torus", None, None, piece, place, which)
+            at, place = root(piece, before, (low, high), monitor)
+            if _crosses_as_pair(piece, place, start, end):
+                yield at, Found("torus", None, None, piece, place, monitor)
                 continue
         if abs(high - low) > SHORT * abs(length):
             at = (low + high) / 2
             middle = piece.stepped(before, at)
-            parts += [(low, one, at, middle), (at, middle, high, other)]
+            parts += [(low, start, at, middle), (at, middle, high, end)]
 
 
 def beyond_circle(piece: Piece, one: Place, other: Place) -> Callable[[Place], float]:
@@ -240,9 +240,9 @@ def _crosses_as_pair(piece: Piece, place: Place, one: Place, other: Place) -> bo
     """
     k, inside = _first_leaving(one, other)
     value, *sides = (multipliers(piece, each)[k] for each in (place, one, other))
-    apart = [abs(abs(each) - 1) for each in (value, *sides)]
+    offsets = [abs(abs(each) - 1) for each in (value, *sides)]
     near = ZERO if abs(abs(multipliers(piece, inside)[k]) - 1) > NEUTRAL else np.sqrt(ZERO)
-    return bool(abs(value.imag) > TURNED * abs(value) and apart[0] <= near * max(apart))
+    return bool(abs(value.imag) > TURNED * abs(value) and offsets[0] <= near * max(offsets))
 
 
 def multipliers(piece: Piece, place: Place) -> Any:
@@ -253,9 +253,9 @@ def multipliers(piece: Piece, place: Place) -> Any:
 
 def _kind_of_vanishing(piece: Piece, p: int) -> str:
     """Return the kind of the event at which the duration of a phase vanishes."""
-    phase, back = piece.cell.phases[p], returns(piece.cell, p)
+    phase, returned = piece.cell.phases[p], returns(piece.cell, p)
     # it begins without speed: a rest could
-    still = piece.along.divided[p] > 1 or (back and of_velocity(phase.event))
-    if phase.held or (still and piece.course.can_rest):
+    without_speed = piece.along.divided[p] > 1 or (returned and of_velocity(phase.event))
+    if phase.held or (without_speed and piece.course.can_rest):
         return "sticking"
-    return "grazing" if back else "vanishing"
+    return "grazing" if returned else "vanishing"

@@ -52,8 +52,8 @@ def halves_apart(piece: Piece, y: Vector) -> Vector:
     half = len(durations) // 2
     states = piece.course.halves(y)
     sign = 1.0 if steps[half:] == steps[:half] else -1.0
-    apart = np.subtract(*np.split(states * np.repeat([1.0, sign], len(states) // 2), 2))
-    return np.concatenate([apart, durations[:half] - durations[half:]])
+    difference = np.subtract(*np.split(states * np.repeat([1.0, sign], len(states) // 2), 2))
+    return np.concatenate([difference, durations[:half] - durations[half:]])
 
 
 def met(piece: Piece, places: Sequence[Place]) -> tuple[int, float] | None:
@@ -61,11 +61,11 @@ def met(piece: Piece, places: Sequence[Place]) -> tuple[int, float] | None:
 
     None if they meet in none.
     """
-    apart = [halves_apart(piece, place.y * piece.along.weights) for place in places]
-    for i, (one, other) in enumerate(pairwise(apart)):
-        own, both = float(one @ one), float(one @ other)
-        if np.sqrt(own) > ROUNDING and both <= LEFT * own:
-            return i, own / (own - both)
+    differences = [halves_apart(piece, place.y * piece.along.weights) for place in places]
+    for i, (difference, next_difference) in enumerate(pairwise(differences)):
+        square, product = float(difference @ difference), float(difference @ next_difference)
+        if np.sqrt(square) > ROUNDING and product <= LEFT * square:
+            return i, square / (square - product)
     return None
 
 
@@ -83,8 +83,8 @@ def symmetric(piece: Piece, y: Vector) -> Course | None:
     half = shorter(piece)
     if half is None or not half.order.half_period:
         return None
-    apart, size = halves_apart(piece, y), float(np.abs(y[:-1]).max())
-    return half if np.abs(apart).max() <= ROUNDING * size else None
+    difference, size = halves_apart(piece, y), float(np.abs(y[:-1]).max())
+    return half if np.abs(difference).max() <= ROUNDING * size else None
 
 
 def meeting(piece: Piece, half: Course, before: Place, after: Place) -> Found:
@@ -93,14 +93,14 @@ def meeting(piece: Piece, half: Course, before: Place, after: Place) -> Found:
     If that fails, the orbit before, with an estimate of four times the step in the parameter.
     """
     try:
-        at = _located(piece, half, before, after)
+        flip = _located(piece, half, before, after)
     except ArithmeticError:
-        apart = 4 * abs(piece.value(after.y) - piece.value(before.y))
-        return Found("branch-point", None, None, piece, before, estimate=apart)
+        estimate = 4 * abs(piece.value(after.y) - piece.value(before.y))
+        return Found("branch-point", None, None, piece, before, estimate=estimate)
     y = before.y.copy()
-    y[-1] = piece.interval.q(at.piece.number(at.place.y))
-    there = replace(before, y=y)
-    return Found("branch-point", None, None, piece, there, estimate=at.estimate)
+    y[-1] = piece.interval.q(flip.piece.number(flip.place.y))
+    place = replace(before, y=y)
+    return Found("branch-point", None, None, piece, place, estimate=flip.estimate)
 
 
 def _located(piece: Piece, half: Course, before: Place, after: Place) -> Found:
@@ -111,10 +111,10 @@ def _located(piece: Piece, half: Course, before: Place, after: Place) -> Found:
     NoStepError
         If it is not found.
     """
-    y, own = before.y, halved(piece, half, before.y)
-    short = Piece.at(half, piece.case, piece.index, piece.bounds, own, ())
-    along = np.append(np.zeros(len(own) - 1), 1.0)
-    begin = short.place(short.corrected(short.of_number(own), along), along)
+    y, unknowns = before.y, halved(piece, half, before.y)
+    short = Piece.at(half, piece.case, piece.index, piece.bounds, unknowns, ())
+    border = np.append(np.zeros(len(unknowns) - 1), 1.0)
+    begin = short.place(short.corrected(short.of_number(unknowns), border), border)
     monitor = len(begin.monitors) - OWN + FLIP
     change = abs(piece.value(after.y) - piece.value(y)) / short.sizes[-1]
     for part in STEPS:
@@ -123,6 +123,6 @@ def _located(piece: Piece, half: Course, before: Place, after: Place) -> Found:
             end = short.stepped(begin, step)
             if begin.monitors[monitor] * end.monitors[monitor] < 0:
                 _, place = root(short, begin, (0.0, step), monitor)
-                found = Found("flip", None, None, short, place, monitor)
-                return estimated(found, end, step)
+                flip = Found("flip", None, None, short, place, monitor)
+                return estimated(flip, end, step)
     raise NoStepError

@@ -108,16 +108,16 @@ class Piece:
         def numbers(at: float) -> tuple[float, ...]:
             return (*case.numbers[:index], at, *case.numbers[index + 1 :])
 
-        course, here = replace(course, units=case.units), numbers(value)
-        found = tuple(course.rows(here, z) if rows is None else rows)
+        course, parameters = replace(course, units=case.units), numbers(value)
+        watched = tuple(course.rows(parameters, z) if rows is None else rows)
 
         def content(at: float) -> tuple[Cell, list[Form]]:
             cell = course.cell(numbers(at))
-            return cell, course.forms(numbers(at), found, cell)
+            return cell, course.forms(numbers(at), watched, cell)
 
         equations, interval = course.along(content, value, interval, z)
-        table = course.table(here, z, found)
-        return cls(course, case, index, bounds, interval, equations, found, table)
+        table = course.table(parameters, z, watched)
+        return cls(course, case, index, bounds, interval, equations, watched, table)
 
     @property
     def name(self) -> str:
@@ -148,8 +148,8 @@ class Piece:
 
     def numbers(self, y: Vector) -> tuple[float, ...]:
         """Return all parameters without units."""
-        given = self.case.numbers
-        return (*given[: self.index], self.number(y), *given[self.index + 1 :])
+        parameters = self.case.numbers
+        return (*parameters[: self.index], self.number(y), *parameters[self.index + 1 :])
 
     def durations(self, y: Vector) -> Vector:
         """Return the durations of the phases, without units."""
@@ -157,9 +157,9 @@ class Piece:
 
     def ends_at(self, y: Vector) -> bool:
         """Whether an orbit is at an end of the range of the parameter."""
-        side = self.interval.high if y[-1] > 0 else self.interval.low
+        edge = self.interval.high if y[-1] > 0 else self.interval.low
         end = self.bounds[int(y[-1] > 0)] / unit_of(self.case, self.index)
-        return abs(y[-1]) == 1 and side == end
+        return abs(y[-1]) == 1 and edge == end
 
     @cached_property
     def cell(self) -> Cell:
@@ -174,13 +174,13 @@ class Piece:
         NoStepError
             If it has no tangent.
         """
-        more = self.course.mapped
-        extremes, maps = np.empty((2, 2)), np.empty((2, more, more))
-        given = self.along, self.table, y, border, extremes, maps
-        direction, monitors = self.course.by("tangent_and_monitors", *given)
-        if not np.isfinite(direction).all():
+        mapped = self.course.mapped
+        extremes, maps = np.empty((2, 2)), np.empty((2, mapped, mapped))
+        arguments = self.along, self.table, y, border, extremes, maps
+        tangent, monitors = self.course.by("tangent_and_monitors", *arguments)
+        if not np.isfinite(tangent).all():
             raise NoStepError
-        return Place(y, direction, monitors, extremes, maps)
+        return Place(y, tangent, monitors, extremes, maps)
 
     def corrected(self, y: Vector, border: Vector) -> Vector:
         """Return the orbit to which Newton's method leads, orthogonally to `border`.
@@ -189,18 +189,18 @@ class Piece:
         ------
         NoStepError
         """
-        found = y.copy()
-        if not self.course.by("corrected", self.along, found, border)[0]:
+        corrected = y.copy()
+        if not self.course.by("corrected", self.along, corrected, border)[0]:
             raise NoStepError
-        return found
+        return corrected
 
     def singular_vectors(self, y: Vector) -> Matrix:
         """Return the right singular vectors of the Jacobian; the last span its null space."""
         J = np.empty((len(y) - 1, len(y)))
         self.course.by("jacobian_along", self.along, y[:-1], y[-1], J)
         J /= self.along.weights
-        found: Matrix = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2]
-        return found
+        vectors: Matrix = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2]
+        return vectors
 
     def stepped(self, place: Place, length: float) -> Place:
         """Return the orbit one step along the branch.
@@ -209,8 +209,8 @@ class Piece:
         ------
         NoStepError
         """
-        given = self.along, place.y, place.tangent, length
-        converged, _, y = self.course.by("stepped", *given)
+        arguments = self.along, place.y, place.tangent, length
+        converged, _, y = self.course.by("stepped", *arguments)
         if not converged:
             raise NoStepError
         return self.place(y, place.tangent)
@@ -236,16 +236,16 @@ class Piece:
         places, lengths, why, length
             See `walk.walk`.
         """
-        more, size = self.course.mapped, len(place.y)
-        Y, D, V = (np.empty((room + 1, q)) for q in (size, size, len(place.monitors)))
+        mapped, size = self.course.mapped, len(place.y)
+        Y, D, V = (np.empty((room + 1, width)) for width in (size, size, len(place.monitors)))
         E, T, S = (
             np.empty((room + 1, 2, 2)),
-            np.empty((room + 1, 2, more, more)),
+            np.empty((room + 1, 2, mapped, mapped)),
             np.empty(room + 1),
         )
         Y[0], D[0], V[0], E[0], T[0] = vars(place).values()
-        given = self.along, self.table, length, most / self.sizes[-1]
-        last, why, length = self.course.by("walk", *given, Y, D, V, E, T, S)
+        arguments = self.along, self.table, length, most / self.sizes[-1]
+        last, why, length = self.course.by("walk", *arguments, Y, D, V, E, T, S)
         places = [Place(Y[i], D[i], V[i], E[i], T[i]) for i in range(1, last + 1)]
         return places, S[1 : last + 1], why, length
 
@@ -253,8 +253,8 @@ class Piece:
     def sizes(self) -> Vector:
         """The SI value of 1 of each unknown, and of 1 of ``q``."""
         half = (self.interval.high - self.interval.low) / 2
-        own = half * unit_of(self.case, self.index)
-        return np.append(self.course.sizes(self.cell, self.case), own)
+        size_of_q = half * unit_of(self.case, self.index)
+        return np.append(self.course.sizes(self.cell, self.case), size_of_q)
 
     def orbit(self, y: Vector) -> ExactOrbit | None:
         """Return the exact orbit of a place; None of a motion of one phase that never ends."""
@@ -277,13 +277,13 @@ class Piece:
     def moved(self, place: Place) -> "tuple[Piece, Place]":
         """Return a new piece around an orbit, with its units, and the orbit in it."""
         case = self.case.with_value(self.name, self.value(place.y))
-        own = np.append(self.in_units_of(case, place.y), case.numbers[self.index])
-        there = Piece.at(self.course, case, self.index, self.bounds, own, self.rows)
-        y = there.of_number(own)
+        unknowns = np.append(self.in_units_of(case, place.y), case.numbers[self.index])
+        piece = Piece.at(self.course, case, self.index, self.bounds, unknowns, self.rows)
+        y = piece.of_number(unknowns)
         border = place.tangent / self.along.weights * self.sizes
-        border = border / there.sizes * there.along.weights
-        y = there.corrected(y, np.append(np.zeros(len(y) - 1), 1.0))
-        return there, there.place(y, border / np.linalg.norm(border))
+        border = border / piece.sizes * piece.along.weights
+        y = piece.corrected(y, np.append(np.zeros(len(y) - 1), 1.0))
+        return piece, piece.place(y, border / np.linalg.norm(border))
 
 
 def unit_of(case: Case, index: int) -> float:

@@ -15,19 +15,19 @@ from .piece import Piece, Place
 def row_of(piece: Piece, place: Place, regular: bool = True) -> FamilyRow:
     """Return an orbit of a branch as a row; without multipliers where it is not regular."""
     cell, units = piece.cell, piece.case.units
-    found = np.maximum(piece.durations(place.y), 0.0)  # at an event one is rounding
-    durations = tuple(map(float, found * units.time)) * cell.cells
+    nonnegative = np.maximum(piece.durations(place.y), 0.0)  # at an event one is rounding
+    durations = tuple(map(float, nonnegative * units.time)) * cell.cells
     extremes = place.extremes
     if cell.sign < 0:
-        most = np.maximum(extremes[:, 1], -extremes[:, 0])
-        extremes = np.column_stack([-most, most])
+        greatest = np.maximum(extremes[:, 1], -extremes[:, 0])
+        extremes = np.column_stack([-greatest, greatest])
     names = enumerate(("displacement", "velocity"))
     ends = {name: tuple(extremes[j] * units.of_motion(j)) for j, name in names}
     multipliers, stable = None, None
     matrix, size = piece.maps(place)
     if regular and np.isfinite(matrix).all() and np.isfinite(size).all():
-        own = of_monodromy(cell, Monodromy(matrix, size, forgotten(cell)))
-        multipliers, stable = tuple(map(complex, own.multipliers)), own.stable
+        stability = of_monodromy(cell, Monodromy(matrix, size, forgotten(cell)))
+        multipliers, stable = tuple(map(complex, stability.multipliers)), stability.stable
     turn = float(place.y[-2]) % (2 * math.pi) if cell.forced else None
     strobe = None if turn is None else _at_phase_zero(piece, place, turn)
     return FamilyRow(
@@ -44,9 +44,9 @@ def _at_phase_zero(piece: Piece, place: Place, turn: float) -> tuple[float, floa
     t, sign = -turn % (2 * math.pi) / omega, 1
     if piece.cell.sign < 0 and t > durations.sum():
         t, sign = t - float(durations.sum()), -1
-    begun = np.concatenate([[0.0], np.cumsum(durations)])
-    p = min(int(np.searchsorted(begun, t, "right")) - 1, len(durations) - 1)
-    x, v = piece.course.moving_at(case, place.y[:-1], p, t - float(begun[p]))
+    starts = np.concatenate([[0.0], np.cumsum(durations)])
+    p = min(int(np.searchsorted(starts, t, "right")) - 1, len(durations) - 1)
+    x, v = piece.course.moving_at(case, place.y[:-1], p, t - float(starts[p]))
     units = piece.case.units
     return sign * x * units.length, sign * v * units.of_motion(1)
 

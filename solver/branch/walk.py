@@ -49,9 +49,9 @@ FOLD, FLIP, MEETS, OUTSIDE, PAIRS = range(OWN)
 
 def stepped(along: Any, y: Vector, direction: Vector, length: float) -> tuple[bool, float, Any]:
     """Predict along the tangent and correct: whether that converges, its `fall`, the orbit."""
-    found = y + length * direction / along[4]
-    converged, fall = corrected(along, found, direction)
-    return converged, fall, found
+    orbit = y + length * direction / along[4]
+    converged, fall = corrected(along, orbit, direction)
+    return converged, fall, orbit
 
 
 def multiplier_monitors(own: Matrix) -> tuple[float, float, float]:
@@ -60,14 +60,14 @@ def multiplier_monitors(own: Matrix) -> tuple[float, float, float]:
     The product is that of ``lambda_i lambda_j - 1``: zero where a pair has modulus 1.
     """
     minus = float(np.linalg.det(own + np.eye(len(own))))
-    values, found = np.linalg.eigvals(own.astype(np.complex128)), complex(1.0, 0.0)
+    values, product = np.linalg.eigvals(own.astype(np.complex128)), complex(1.0, 0.0)
     if len(own) == 2:
         area = own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0]
         return minus, outside(values), float(area - 1)
     for i in range(len(values)):
         for j in range(i):
-            found *= values[i] * values[j] - 1
-    return minus, outside(values), found.real
+            product *= values[i] * values[j] - 1
+    return minus, outside(values), product.real
 
 
 def outside(values: Any) -> float:
@@ -123,23 +123,23 @@ def dips(before: Vector, here: Vector, after: Vector, back: float, ahead: float)
     through their squares, changes it.  (Squares, as the least factor of a complex pair is not
     smooth.)  A minimum next to one of the orbits does not count.
     """
-    orbit, found = len(here) - OWN, 0.0
+    orbit, nearest = len(here) - OWN, 0.0
     for i in range(len(here)):
         least = min(abs(before[i]), abs(here[i]), abs(after[i]))
         alike = before[i] * here[i] > 0 and here[i] * after[i] > 0
         if not alike or i == orbit + OUTSIDE or (i >= orbit and least <= NEUTRAL):
             continue
         for power in range(1, 3):
-            first, value, last = abs(before[i]), abs(here[i]), abs(after[i])
-            first, value, last = first**power, value**power, last**power
-            fell, rose = (value - first) / back, (last - value) / ahead
+            left, middle, right = abs(before[i]), abs(here[i]), abs(after[i])
+            left, middle, right = left**power, middle**power, right**power
+            fell, rose = (middle - left) / back, (right - middle) / ahead
             bend = (rose - fell) / (back + ahead)
             slope = fell + bend * back
             at = -slope / (2 * bend) if bend > 0 else 0.0
             inside = min(at + back, abs(at), ahead - at) > DIP
-            if inside and value + slope * at / 2 < 0:
-                found = min(found, at) if found != 0 else at
-    return found
+            if inside and middle + slope * at / 2 < 0:
+                nearest = min(nearest, at) if nearest != 0 else at
+    return nearest
 
 
 def walk(
@@ -195,10 +195,10 @@ def walk(
                 continue
         last += 1
         Y[last], D[last], V[last], S[last] = y, direction, monitors, length
-        some = abs(y[n]) > 1
+        event = abs(y[n]) > 1
         for i in range(len(monitors)):
-            some = some or happens(V[last - 1, i], V[last, i], i - (len(monitors) - OWN))
-        if some:
+            event = event or happens(V[last - 1, i], V[last, i], i - (len(monitors) - OWN))
+        if event:
             return last, EVENT, length
         length *= GROWTH
         for j in range(along[5] + len(along[0])):  # but for the phase of the forcing

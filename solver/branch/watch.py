@@ -46,7 +46,7 @@ def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
         v = case[1][p, F]
     rate = max(sqrt(abs(k) / m), abs(c) / m, omega)
     count = int(min(4 + ceil(rate * abs(s) * DENSITY), MOST_POINTS))
-    found, h = np.empty((count + 1, 5)), s / count
+    grid, h = np.empty((count + 1, 5)), s / count
     xx, xv, vx, vv, _, _ = by_start(m, c, k, h)
     moved, moving, wave_x, wave_v, turn_x, turn_v = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     if f != 0:
@@ -54,30 +54,30 @@ def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
     if g != 0:
         wave_x, wave_v, turn_x, turn_v = by_forcing(m, c, k, omega, 0.0, h)
     for i in range(count + 1):
-        found[i, 0], found[i, 1], found[i, 2] = i * h, x, v
+        grid[i, 0], grid[i, 1], grid[i, 2] = i * h, x, v
         wave, turned = cos(angle + omega * i * h), sin(angle + omega * i * h)
-        found[i, 3], found[i, 4] = wave, turned
+        grid[i, 3], grid[i, 4] = wave, turned
         push = g * (wave_x * wave + turn_x * turned)
         pushed = g * (wave_v * wave + turn_v * turned)
         x, v = xx * x + xv * v + f * moved + push, vx * x + vv * v + f * moving + pushed
-    return found
+    return grid
 
 
 def taylor(equation: Vector, omega: float, angle: float, x: float, v: float, form: Any) -> Any:
     """Return the Taylor coefficients in time of a form along a phase, about a state."""
     m, c, k, f, g = equation
     wave, turned = cos(angle), sin(angle)
-    found, power, factor = np.empty(EXPANDED), 1.0, 1.0
-    here, ahead = x, v
+    coefficients, power, factor = np.empty(EXPANDED), 1.0, 1.0
+    x_j, v_j = x, v
     for j in range(EXPANDED):
         turn = j % 4
         value = wave if turn == 0 else -turned if turn == 1 else -wave if turn == 2 else turned
         force = g * value * power + (f if j == 0 else 0.0)
-        found[j] = factor * (form[0] * here + form[1] * ahead + form[2] * value * power)
-        here, ahead = ahead, (force - c * ahead - k * here) / m
+        coefficients[j] = factor * (form[0] * x_j + form[1] * v_j + form[2] * value * power)
+        x_j, v_j = v_j, (force - c * v_j - k * x_j) / m
         power, factor = power * omega, factor / (j + 1)
-    found[0] += form[3]
-    return found
+    coefficients[0] += form[3]
+    return coefficients
 
 
 def polynomial(terms: Vector, t: float, derivative: int) -> float:
@@ -103,7 +103,7 @@ def least_inside(
         Order of the first derivative of the form that is not identically zero at the start.
     """
     m, c, k, f, g = equation
-    least, when, before, bent = nan, nan, 0.0, 0.0
+    least, time, before, bent = nan, nan, 0.0, 0.0
     for i in range(len(grid)):
         t, x, v, wave, turned = grid[i]
         a = (f + g * wave - c * v - k * x) / m
@@ -115,14 +115,14 @@ def least_inside(
         falls = i > 0 and before < 0 <= rate
         dips = i > 0 and before >= 0 <= rate and bent < 0 < bend
         if falls or dips:
-            last, h = grid[i - 1], t - grid[i - 1, 0]
-            terms = taylor(equation, omega, angle + omega * last[0], last[1], last[2], form)
+            start, h = grid[i - 1], t - grid[i - 1, 0]
+            terms = taylor(equation, omega, angle + omega * start[0], start[1], start[2], form)
             u = rises(terms, lowest_rate(terms, h) if dips else 0.0, h)
             value = polynomial(terms, u, 0)
             if not isnan(u) and (isnan(least) or value < least):
-                least, when = value, last[0] + u
+                least, time = value, start[0] + u
         before, bent = rate, bend
-    return least, when
+    return least, time
 
 
 def lowest_rate(terms: Vector, h: float) -> float:
@@ -163,10 +163,10 @@ def rises(terms: Vector, low: float, h: float) -> float:
 def form_of(case: Any, z: Vector, row: int) -> Vector:
     """Return a form over x, v, cos and 1, with the memory inserted."""
     forms, count = case[5], len(case[0])
-    found: Vector = forms[row, :4].copy()
+    form: Vector = forms[row, :4].copy()
     for i in range(len(case[2])):
-        found[3] += forms[row, 4 + i] * z[2 * count + i]
-    return found
+        form[3] += forms[row, 4 + i] * z[2 * count + i]
+    return form
 
 
 def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) -> None:
@@ -207,10 +207,10 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
                 values[into, END] = value
         for j in range(len(extremes)):
             form, ends_at = np.zeros(4), (grid[0, 1 + j], x if j == 0 else v)
-            for side in (1.0, -1.0):
-                form[j] = side
+            for sign in (1.0, -1.0):
+                form[j] = sign
                 inside, _ = least_inside(equation, omega, theta[p], grid, form, 0)
-                for value in (*ends_at, side * inside):
+                for value in (*ends_at, sign * inside):
                     if not isnan(value):
                         extremes[j, 0] = min(extremes[j, 0], value)
                         extremes[j, 1] = max(extremes[j, 1], value)

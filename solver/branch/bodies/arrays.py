@@ -31,7 +31,7 @@ def arrays(cell: BodyCell, forms: Sequence[Form]) -> list[Matrix]:
         switches[p, :states] = np.hstack([part.switch.state, part.switch.inputs])
     generators = [generator_of(part, cell.omega) for part in parts]
     return [
-        np.array([in_order(cell, in_order(cell, own.T).T) for own in generators]),
+        np.array([in_order(cell, in_order(cell, generator.T).T) for generator in generators]),
         switches,
         in_order(cell, np.array([part.switch.event for part in parts])),
         in_order(cell, np.array([part.lawful.rows[:2] for part in parts])),
@@ -50,23 +50,23 @@ def begins_slowly(cell: BodyCell, p: int) -> int:
     They do if they are combinations of what is known at the end of the phase before: its event,
     and if it is held, its speed and, without speed, its place.
     """
-    generators, switches, events, seen, *_ = arrays(cell, [])
+    generators, switches, events, motion_rows, *_ = arrays(cell, [])
     before, mirrored = cell.phases[p - 1], np.ones(len(events[0]))
     if p == 0:
         mirrored[:-1] = cell.sign
     known = [events[p - 1]]
     if before.held:
-        known.append(seen[p - 1, 1] - before.speed * np.eye(len(mirrored))[-1])
+        known.append(motion_rows[p - 1, 1] - before.speed * np.eye(len(mirrored))[-1])
     through = mirrored[:, None] * switches[p - 1]
     rates = [events[p]]
     for _ in range(2):
         rates.append(rates[-1] @ generators[p])
-    asked, sizes = np.array(rates) @ through, np.abs(rates).max(axis=1, keepdims=True)
-    there = same(earlier(cell, p, 2).event, cell.phases[p].event)
-    if before.held and before.speed == 0 and there and not any(cell.phases[p].event[1:3]):
-        known.append(asked[0])
-    left = asked - asked @ np.linalg.pinv(np.array(known)) @ np.array(known)
-    zero = (np.abs(left) <= FLAT * sizes).all(axis=1)
+    forms, sizes = np.array(rates) @ through, np.abs(rates).max(axis=1, keepdims=True)
+    alike = same(earlier(cell, p, 2).event, cell.phases[p].event)
+    if before.held and before.speed == 0 and alike and not any(cell.phases[p].event[1:3]):
+        known.append(forms[0])
+    remainder = forms - forms @ np.linalg.pinv(np.array(known)) @ np.array(known)
+    zero = (np.abs(remainder) <= FLAT * sizes).all(axis=1)
     return int(np.cumprod(zero).sum())
 
 
@@ -118,23 +118,23 @@ def known_of(
     """
     rows, parts = series.reshape(len(series), -1), parts_of(cell)
     varying = np.flatnonzero(rows[:, 1:].any(axis=1))
-    found = [_of_places(part) for part in parts]
-    sizes = [np.abs(own).max(axis=1, keepdims=True) for own in found]
-    same = np.ones(len(parts), dtype=bool)
+    matrices = [_of_places(part) for part in parts]
+    sizes = [np.abs(own).max(axis=1, keepdims=True) for own in matrices]
+    are_fixed = np.ones(len(parts), dtype=bool)
     for other in others:
-        pairs = zip(found, map(_of_places, parts_of(other)), strict=True)
-        change = [np.abs(own - there) for own, there in pairs]
-        same &= [(a <= SAME * b).all() for a, b in zip(change, sizes, strict=True)]
-    own = [_held(part) if fixed else None for part, fixed in zip(parts, same, strict=True)]
+        pairs = zip(matrices, map(_of_places, parts_of(other)), strict=True)
+        change = [np.abs(own - other_matrix) for own, other_matrix in pairs]
+        are_fixed &= [(a <= SAME * b).all() for a, b in zip(change, sizes, strict=True)]
+    own = [_held(part) if fixed else None for part, fixed in zip(parts, are_fixed, strict=True)]
     return np.ascontiguousarray(series[varying]), _known(own, rows[:, 0].copy(), varying)
 
 
 def _of_places(part: Part) -> Matrix:
     """Return the matrix of the rates of displacements and velocities, not scaled."""
-    found, n = part.lawful.A.copy(), len(part.lawful.A) // 2
-    found[n:, :n] *= np.diag(found[:n, n:])
-    found[:n, n:] = np.eye(n)
-    return found
+    rates, n = part.lawful.A.copy(), len(part.lawful.A) // 2
+    rates[n:, :n] *= np.diag(rates[:n, n:])
+    rates[:n, n:] = np.eye(n)
+    return rates
 
 
 def _held(part: Part) -> tuple[Complex, Complex, Complex] | None:
@@ -154,15 +154,15 @@ def _known(
     own: Sequence[tuple[Complex, Complex, Complex] | None], constant: Vector, varying: Indices
 ) -> Known:
     """Return the eigenbases of phases as arrays."""
-    found = [each for each in own if each]
-    if not found:
+    eigenbases = [eigenbasis for eigenbasis in own if eigenbasis]
+    if not eigenbases:
         return Known(*UNKNOWN, constant, varying)
-    n, m = len(found[0][1]), max(len(poles) for poles, _, _ in found)
+    n, m = len(eigenbases[0][1]), max(len(poles) for poles, _, _ in eigenbases)
     all_poles = np.full((len(own), m), np.nan, dtype=complex)
     bases, inverses = np.zeros((len(own), n, 2 * m)), np.zeros((len(own), 2 * m, n))
-    for p, each in enumerate(own):
-        if each:
-            poles, basis, inverse = each
+    for p, eigenbasis in enumerate(own):
+        if eigenbasis:
+            poles, basis, inverse = eigenbasis
             k = len(poles)
             all_poles[p] = np.append(poles, np.zeros(m - k))
             bases[p, :, :k], bases[p, :, m : m + k] = basis.real, -basis.imag

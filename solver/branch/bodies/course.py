@@ -50,27 +50,27 @@ class BodyCourse(Course):
 
     def blocks(self, cell: Cell, forms: list[Form]) -> Integers:
         """Return the number of the array of each entry: the largest has the rounding of all."""
-        known = arrays(cell, forms)
-        return np.repeat(np.arange(len(known)), [block.size for block in known])
+        matrices = arrays(cell, forms)
+        return np.repeat(np.arange(len(matrices)), [matrix.size for matrix in matrices])
 
     def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
         """Return the equations of a cell from their series; the states have one scale."""
-        count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
+        count, states = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)
-        memory = slice(before - len(cell.memory), before)
+        memory = slice(states - len(cell.memory), states)
         weights, size = np.ones(len(z) + 1), float(np.linalg.norm(z[: memory.start]))
         weights[: memory.start] = 1 / size
         weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
-        weights[before : before + count] = 1 / float(z[before : before + count].sum())
-        cells, width = [cell, *others], np.array([before + 3])
-        divided = divided_phases(cell, z[before:])
+        weights[states : states + count] = 1 / float(z[states : states + count].sum())
+        cells, width = [cell, *others], np.array([states + 3])
+        divided = divided_phases(cell, z[states:])
         for p in range(count):
-            once = divided[p] or not returns(cell, p)
-            often = min(begins_slowly(each, p) for each in cells) if once else 0
-            divided[p] = often if often > 1 else divided[p]
+            is_singular = divided[p] or not returns(cell, p)
+            order = min(begins_slowly(each, p) for each in cells) if is_singular else 0
+            divided[p] = order if order > 1 else divided[p]
         varying, known = known_of(cell, cells[1:], series)
-        given = kinds, width, varying, divided, weights, before, float(cell.sign)
-        return Along(*given, known)
+        arguments = kinds, width, varying, divided, weights, states, float(cell.sign)
+        return Along(*arguments, known)
 
     @property
     def mapped(self) -> int:
@@ -90,7 +90,7 @@ class BodyCourse(Course):
         """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
         units, count = case.units, 2 * len(cell.body.squares)
         state = [units.of_motion(1) * units.mass**0.5] * count
-        memory = [units.of_motion(each.power) for each in cell.memory]
+        memory = [units.of_motion(remembered.power) for remembered in cell.memory]
         times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
         return np.array([*state, *memory, *times])
 
@@ -118,17 +118,17 @@ class BodyCourse(Course):
 
     def orbit(self, case: Case, z: Vector) -> ExactOrbit:
         """Return where Newton's method leads from unknowns in the units of a case."""
-        own = self.case(case)
-        count, forced = len(own.cell.phases), own.cell.forced
+        orbit_case = self.case(case)
+        count, forced = len(orbit_case.cell.phases), orbit_case.cell.forced
         times = tuple(map(float, z[len(z) - count - forced :]))
         angle = times[-1] if forced else 0.0
-        return from_times(own, RoughTimes(times[:count], angle, "a branch"))
+        return from_times(orbit_case, RoughTimes(times[:count], angle, "a branch"))
 
     def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
         """Return the derivative of the map over a cell, and its size, computed anew."""
         with np.errstate(all="ignore"):  # an event may be touched there
-            found, size, _ = equations.cell_map(case, z, kept, 0.0)
-        return found, size
+            matrix, size, _ = equations.cell_map(case, z, kept, 0.0)
+        return matrix, size
 
     def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return the state, with the memory, at time t of phase p."""
@@ -148,9 +148,9 @@ class BodyCourse(Course):
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, without units, for `equations.case_at`."""
-        seen = [parts_of(cell)[row.phase].lawful.rows for row in rows]
-        forms = zip(self.demanded(numbers, rows, cell), seen, strict=True)
-        return [tuple(map(float, in_order(cell, form @ own))) for form, own in forms]
+        matrices = [parts_of(cell)[row.phase].lawful.rows for row in rows]
+        forms = zip(self.demanded(numbers, rows, cell), matrices, strict=True)
+        return [tuple(map(float, in_order(cell, form @ matrix))) for form, matrix in forms]
 
     def before(self, cell: Cell, node: Any, row: Row) -> Form:
         """Return a demand of the phase that could hold the contact behind a switch.
@@ -158,7 +158,7 @@ class BodyCourse(Course):
         As a form of the state before the switch, with the forces by the laws of that phase.
         """
         _, form = node.demands[row.number]
-        through = np.array([under(cell, node, each, 1) for each in np.eye(len(form))])
+        through = np.array([under(cell, node, unit, 1) for unit in np.eye(len(form))])
         return tuple(map(float, through @ form))
 
     def case_of(self, cell: Cell, forms: list[Form]) -> Any:
@@ -167,6 +167,6 @@ class BodyCourse(Course):
 
     def terms(self, case: Any, z: Vector, p: int, i: int) -> Vector:
         """Return the Taylor coefficients of form `i` where a phase begins."""
-        own = ways.expanded(ways.way_of(case, p), case[6][i])
-        found: Vector = own @ equations.initial_states(case, z)[p]
-        return found
+        expansion = ways.expanded(ways.way_of(case, p), case[6][i])
+        coefficients: Vector = expansion @ equations.initial_states(case, z)[p]
+        return coefficients

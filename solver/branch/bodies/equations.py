@@ -38,15 +38,15 @@ def case_at(along: Any, q: float) -> Any:
     values = constant.copy()
     values[varying] = series_at(along[2], q)
     square, line = count * width * width, count * width
-    rest = values[2 * square :]
+    remaining = values[2 * square :]
     return (
         along[0],
         values[:square].reshape(count, width, width),
         values[square : 2 * square].reshape(count, width, width),
-        rest[:line].reshape(count, width),
-        rest[line : 3 * line].reshape(count, 2, width),
-        rest[3 * line : 3 * line + 3],
-        rest[3 * line + 3 :].reshape(-1, width),
+        remaining[:line].reshape(count, width),
+        remaining[line : 3 * line].reshape(count, 2, width),
+        remaining[3 * line : 3 * line + 3],
+        remaining[3 * line + 3 :].reshape(-1, width),
         (poles, basis, inverse),
     )
 
@@ -54,28 +54,28 @@ def case_at(along: Any, q: float) -> Any:
 def initial_state(case: Any, z: Vector) -> Vector:
     """Return the state Y in which the cell begins."""
     states = case[1].shape[1] - 3
-    found = np.ones(states + 3)
-    found[:states] = z[:states]
+    state = np.ones(states + 3)
+    state[:states] = z[:states]
     angle = z[len(z) - 1] if len(z) > states + len(case[0]) else 0.0
-    found[states], found[states + 1] = cos(angle), sin(angle)
-    return found
+    state[states], state[states + 1] = cos(angle), sin(angle)
+    return state
 
 
 def initial_states(case: Any, z: Vector) -> Matrix:
     """Return the state Y in which each phase begins, shape (P, W)."""
     generators, switches = case[1], case[2]
     states = generators.shape[1] - 3
-    found = np.empty((len(generators), states + 3))
-    found[0] = initial_state(case, z)
+    starts = np.empty((len(generators), states + 3))
+    starts[0] = initial_state(case, z)
     for p in range(len(generators) - 1):
-        found[p + 1] = switches[p] @ state_after(case, p, z[states + p], found[p])
-    return found
+        starts[p + 1] = switches[p] @ state_after(case, p, z[states + p], starts[p])
+    return starts
 
 
 def state_after(case: Any, p: int, t: float, Y: Vector) -> Vector:
     """Return a state a time later in a phase."""
-    found: Vector = Y + gained(case, p, t, Y.reshape(-1, 1))[:, 0]
-    return found
+    state: Vector = Y + gained(case, p, t, Y.reshape(-1, 1))[:, 0]
+    return state
 
 
 def state_at(case: Any, z: Vector, p: int, t: float) -> Vector:
@@ -104,23 +104,23 @@ def residual_and_jacobian(case: Any, divided: Any, z: Vector, R: Vector, J: Matr
     if by and last == states + count:
         Y[states, 1 + last], Y[states + 1, 1 + last] = -Y[states + 1, 0], Y[states, 0]
     for p in range(count):
-        row, first = states + p, Y
+        row, start = states + p, Y
         s = z[row] if z[row] != 0 else AN_INSTANT
         gain = gained(case, p, s, Y)
         Y = Y + gain
         rate = generators[p] @ Y[:, 0].copy()
         if by:
             Y[:, 1 + row] += rate
-        found = events[p] @ (Y if divided[p] == 0 else gain / s)
+        event_row = events[p] @ (Y if divided[p] == 0 else gain / s)
         if divided[p] > 1:
-            found = divided_gain(case, divided[p], p, s, first)
+            event_row = divided_gain(case, divided[p], p, s, start)
         if divided[p] == 3:  # where it ends: on the surface, which its gain does not say
-            event = events[p, :states]
-            Y[:states] -= np.outer(event, events[p] @ Y) / np.dot(event, event)
-        R[row], J[row] = found[0], found[1:]
+            gradient = events[p, :states]
+            Y[:states] -= np.outer(gradient, events[p] @ Y) / np.dot(gradient, gradient)
+        R[row], J[row] = event_row[0], event_row[1:]
         if by and divided[p] != 0:
             J[row, row] += divided_slope(
-                case, divided[p], p, s, first[:, :1].copy(), rate, R[row]
+                case, divided[p], p, s, start[:, :1].copy(), rate, R[row]
             )
         Y = switches[p] @ Y
     R[:states] = z[:states] - sign * Y[:states, 0]
@@ -160,9 +160,9 @@ def divided_gain(case: Any, times: int, p: int, s: float, Y: Matrix) -> Vector:
     well.  Their terms of the exponential are left out; of a long phase not the last one.
     """
     short = times == 3 and norm(case[1][p]) * abs(s) <= SHORT
-    made = exp_less_three_terms(case[1][p], s) if short else exp_less_two_terms(case[1][p], s)
-    found: Vector = case[3][p] @ (made @ Y) / s**times
-    return found
+    tail = exp_less_three_terms(case[1][p], s) if short else exp_less_two_terms(case[1][p], s)
+    change: Vector = case[3][p] @ (tail @ Y) / s**times
+    return change
 
 
 def end_rates(case: Any, z: Vector) -> Matrix:
@@ -178,14 +178,14 @@ def cell_map(
     count, states = len(generators), generators.shape[1] - 3
     shape = count, states, states
     steps, sizes, crossed = np.empty(shape), np.empty(shape), np.empty(count)
-    first = initial_state(case, z)
-    Y = first
+    start = initial_state(case, z)
+    Y = start
     for p in range(count):
         grown = gained(case, p, z[states + p], np.eye(states + 3))
         Y = Y + grown @ Y
         before = generators[p] @ Y
         Y = switches[p] @ Y
-        behind = generators[p + 1] @ Y if p + 1 < count else case[5][0] * generators[0] @ first
+        behind = generators[p + 1] @ Y if p + 1 < count else case[5][0] * generators[0] @ start
         gradient, waves = events[p, :states], events[p, states : states + 2]
         scale = np.dot(np.abs(gradient), np.abs(before[:states])) + omega * np.abs(waves).sum()
         rate = np.dot(events[p], before)
@@ -195,8 +195,8 @@ def cell_map(
         through = np.eye(states) + grown[:states, :states]
         steps[p] = across @ through
         sizes[p] = np.abs(across) @ np.abs(through) / min(1.0, crossed[p])
-    found, size = product(steps, sizes)
-    return found, size, crossed
+    matrix, size = product(steps, sizes)
+    return matrix, size, crossed
 
 
 def multiplier_monitors(own: Matrix) -> tuple[float, float, float]:

@@ -24,10 +24,10 @@ TINY = 1e-9
 
 def scales_of(generator: Matrix, n: int) -> Matrix:
     """Return the scale of each displacement, and 1 for each velocity; shape (n, 1)."""
-    found = np.ones((n, 1))
+    scales = np.ones((n, 1))
     for i in range(n // 2):
-        found[i] = generator[i, n // 2 + i]
-    return found
+        scales[i] = generator[i, n // 2 + i]
+    return scales
 
 
 def drives_of(generator: Matrix, inverse: Matrix, n: int) -> Matrix:
@@ -44,22 +44,22 @@ def answers(poles: Complex, omega: float, t: float) -> Complex:
     s, q = poles.reshape(1, len(poles)), np.array([[1j * omega], [-1j * omega], [0j]])
     half = (s - q) * (t / 2)
     size = np.abs(half)
-    near, whole = size <= 1, size > TINY
-    small = np.where(near & whole, half, 1 + 0j)
-    ratio = np.where(whole, np.sinh(small) / small, 1 + 0j)
-    close = t * np.exp((s + q) * (t / 2)) * ratio
+    near, sizable = size <= 1, size > TINY
+    argument = np.where(near & sizable, half, 1 + 0j)
+    ratio = np.where(sizable, np.sinh(argument) / argument, 1 + 0j)
+    by_sinh = t * np.exp((s + q) * (t / 2)) * ratio
     apart = np.where(near, 1 + 0j, s - q)
-    found: Complex = np.where(near, close, (np.exp(s * t) - np.exp(q * t)) / apart)
-    return found
+    responses: Complex = np.where(near, by_sinh, (np.exp(s * t) - np.exp(q * t)) / apart)
+    return responses
 
 
 def doubled(made: Complex, poles: Complex, omega: float, t: float) -> Complex:
     """Return the `answers` after 2 t: ``e^(2a) - e^(2b) = (e^a - e^b)(e^a + e^b)``."""
-    grown, found = np.exp(poles * t), np.empty_like(made)
-    found[0] = made[0] * (grown + np.exp(1j * omega * t))
-    found[1] = made[1] * (grown + np.exp(-1j * omega * t))
-    found[2] = made[2] * (grown + 1)
-    return found
+    growth, responses = np.exp(poles * t), np.empty_like(made)
+    responses[0] = made[0] * (growth + np.exp(1j * omega * t))
+    responses[1] = made[1] * (growth + np.exp(-1j * omega * t))
+    responses[2] = made[2] * (growth + 1)
+    return responses
 
 
 def by_basis(
@@ -77,38 +77,38 @@ def by_basis(
     y : ndarray, shape (2 m + r, k)
         Real parts of the modal coordinates, imaginary parts, and the inputs.
     """
-    m, still = len(poles), made[2]
-    even, odd = (made[0] + made[1]) / 2, (made[0] - made[1]) * 0.5j
-    rest, r = np.ascontiguousarray(y[2 * m :]), len(y) - 2 * m
-    cosine, sine = rest[r - 3], rest[r - 2]
+    m, to_constant = len(poles), made[2]
+    to_cosine, to_sine = (made[0] + made[1]) / 2, (made[0] - made[1]) * 0.5j
+    inputs, r = np.ascontiguousarray(y[2 * m :]), len(y) - 2 * m
+    cosine, sine = inputs[r - 3], inputs[r - 2]
     driven = drives[:m] + 1j * drives[m:]
-    by_rest = still.reshape(m, 1) * driven
-    by_rest[:, r - 3] = even * driven[:, r - 3] - odd * driven[:, r - 2]
-    by_rest[:, r - 2] = even * driven[:, r - 2] + odd * driven[:, r - 3]
-    factor, found = (poles * still).reshape(m, 1), np.zeros(y.shape)
-    found[:m], found[m : 2 * m] = by_rest.real.copy() @ rest, by_rest.imag.copy() @ rest
-    found[:m] += factor.real * y[:m] - factor.imag * y[m : 2 * m]
-    found[m : 2 * m] += factor.real * y[m : 2 * m] + factor.imag * y[:m]
-    half, whole = np.sin(omega * t / 2), np.sin(omega * t)
-    found[2 * m + r - 3] = -2 * half * half * cosine - whole * sine
-    found[2 * m + r - 2] = whole * cosine - 2 * half * half * sine
-    return found
+    forced = to_constant.reshape(m, 1) * driven
+    forced[:, r - 3] = to_cosine * driven[:, r - 3] - to_sine * driven[:, r - 2]
+    forced[:, r - 2] = to_cosine * driven[:, r - 2] + to_sine * driven[:, r - 3]
+    factor, change = (poles * to_constant).reshape(m, 1), np.zeros(y.shape)
+    change[:m], change[m : 2 * m] = forced.real.copy() @ inputs, forced.imag.copy() @ inputs
+    change[:m] += factor.real * y[:m] - factor.imag * y[m : 2 * m]
+    change[m : 2 * m] += factor.real * y[m : 2 * m] + factor.imag * y[:m]
+    half_sine, full_sine = np.sin(omega * t / 2), np.sin(omega * t)
+    change[2 * m + r - 3] = -2 * half_sine * half_sine * cosine - full_sine * sine
+    change[2 * m + r - 2] = full_sine * cosine - 2 * half_sine * half_sine * sine
+    return change
 
 
 def exp_less_one(matrix: Matrix, t: float) -> Matrix:
     """Return ``exp(A t) - 1`` of a matrix A, with its digits where it is small."""
-    found: Matrix = matrix * t + exp_less_two_terms(matrix, t)
-    return found
+    exponential: Matrix = matrix * t + exp_less_two_terms(matrix, t)
+    return exponential
 
 
 def exp_less_two_terms(matrix: Matrix, t: float) -> Matrix:
     """Return ``exp(A t) - 1 - A t`` of a matrix A: a Taylor series, then squarings."""
-    A, found, doublings = shortened(matrix, t)
-    found += A @ A / 2
+    A, exponential, doublings = shortened(matrix, t)
+    exponential += A @ A / 2
     for _ in range(doublings):
-        whole = A + found
-        A, found = 2 * A, whole @ whole + 2 * found
-    return found
+        gain = A + exponential
+        A, exponential = 2 * A, gain @ gain + 2 * exponential
+    return exponential
 
 
 def exp_less_three_terms(matrix: Matrix, t: float) -> Matrix:

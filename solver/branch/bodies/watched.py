@@ -58,7 +58,7 @@ def least_inside(
     begins : int
         Order of the first derivative of the form that is not identically zero at the start.
     """
-    least, when, h = nan, nan, s / (grid.shape[1] - 1)
+    least, time, h = nan, nan, s / (grid.shape[1] - 1)
     rates, bends = slopes[0].copy(), slopes[1]
     if begins > 1:
         rates[0] = np.dot(terms[begins], grid[:, 0].copy())
@@ -66,16 +66,16 @@ def least_inside(
     dips = (rates[:-1] >= 0) & (rates[1:] >= 0) & (bends[:-1] < 0) & (bends[1:] > 0)
     dips &= lowest(rates, 2 * bends, h) <= SHALLOW * np.minimum(rates[:-1], rates[1:])
     for i in np.flatnonzero(falls | dips):
-        value, at, y = nan, 0.0, grid[:, i].copy()
+        value, offset, y = nan, 0.0, grid[:, i].copy()
         if dips[i]:
-            y, at, u = turning(way, y, h, h, finer, terms, 2)
-            y, at = ahead(way, u, y), at + u
+            y, offset, u = turning(way, y, h, h, finer, terms, 2)
+            y, offset = ahead(way, u, y), offset + u
         if falls[i] or np.dot(terms[1], y) < 0:
-            value, u = risen(way, y, h - at, h, finer, terms)
-            at += u
+            value, u = risen(way, y, h - offset, h, finer, terms)
+            offset += u
         if not isnan(value) and (isnan(least) or value < least):
-            least, when = value, i * h + at
-    return least, when
+            least, time = value, i * h + offset
+    return least, time
 
 
 def lowest(values: Vector, slopes: Vector, h: float) -> Vector:
@@ -83,10 +83,10 @@ def lowest(values: Vector, slopes: Vector, h: float) -> Vector:
 
     A convex curve lies above it.
     """
-    turn = slopes[:-1] - slopes[1:]
-    u = (values[1:] - values[:-1] - slopes[1:] * h) / np.where(turn == 0, np.nan, turn)
-    found: Vector = values[:-1] + slopes[:-1] * u
-    return found
+    bend = slopes[:-1] - slopes[1:]
+    u = (values[1:] - values[:-1] - slopes[1:] * h) / np.where(bend == 0, np.nan, bend)
+    heights: Vector = values[:-1] + slopes[:-1] * u
+    return heights
 
 
 def turning(
@@ -103,14 +103,14 @@ def turning(
             middle = over(way, finer, j, width, y)
             if np.dot(terms[derivative], middle) < 0:
                 y, t = middle, t + width
-    own, low, high = terms @ y, 0.0, min(width, left - t)
+    series, low, high = terms @ y, 0.0, min(width, left - t)
     for _ in range(NARROWED):
         middle_t = (low + high) / 2
-        if polynomial(own, middle_t, derivative) < 0:
+        if polynomial(series, middle_t, derivative) < 0:
             low = middle_t
         else:
             high = middle_t
-    below, above = polynomial(own, low, derivative), polynomial(own, high, derivative)
+    below, above = polynomial(series, low, derivative), polynomial(series, high, derivative)
     if below < 0 < above:
         low += (high - low) * below / (below - above)
     return y, t, low
@@ -121,12 +121,12 @@ def risen(
 ) -> tuple[float, float]:
     """Return the value of a form where its rate rises through zero, and the time."""
     y, t, u = turning(way, y, left, h, finer, terms, 1)
-    own = terms @ y
+    series = terms @ y
     for _ in range(POLISH):
-        bend = polynomial(own, u, 2)
+        bend = polynomial(series, u, 2)
         if bend > 0:
-            u = min(max(u - polynomial(own, u, 1) / bend, 0.0), left - t)
-    return polynomial(own, u, 0), t + u
+            u = min(max(u - polynomial(series, u, 1) / bend, 0.0), left - t)
+    return polynomial(series, u, 0), t + u
 
 
 def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) -> None:
@@ -134,12 +134,12 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
 
     See `watch.watched`.
     """
-    begin, before = initial_states(case, z), case[1].shape[1] - 3
+    starts, states = initial_states(case, z), case[1].shape[1] - 3
     values[:, :] = nan
     extremes[:, 0], extremes[:, 1] = np.inf, -np.inf
     for p in range(len(case[0])):
-        way, s = way_of(case, p), z[before + p]
-        grid = along(way, s, begin[p])
+        way, s = way_of(case, p), z[states + p]
+        grid = along(way, s, starts[p])
         finer = halves(way, s / (grid.shape[1] - 1))
         first, last = grid[:, 0].copy(), grid[:, -1].copy()
         for row in range(len(table)):
@@ -162,9 +162,9 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
             terms = expanded(way, case[4][p, j])
             ends = np.dot(terms[0], first), np.dot(terms[0], last)
             slopes = terms[1:3] @ grid
-            for side in (1.0, -1.0):
-                inside, _ = least_inside(way, grid, s, finer, side * terms, side * slopes, 0)
-                for value in (ends[0], ends[1], side * inside):
+            for sign in (1.0, -1.0):
+                inside, _ = least_inside(way, grid, s, finer, sign * terms, sign * slopes, 0)
+                for value in (ends[0], ends[1], sign * inside):
                     if not isnan(value):
                         extremes[j, 0] = min(extremes[j, 0], value)
                         extremes[j, 1] = max(extremes[j, 1], value)

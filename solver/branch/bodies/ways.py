@@ -39,8 +39,8 @@ def way_of(case: Any, p: int) -> Any:
     width = len(generator)
     omega = generator[width - 2, width - 3]
     if len(poles) == 0 or not np.abs(poles[p]).max() < np.inf:
-        one = np.eye(width)
-        return generator, np.empty(0, np.complex128), np.empty((0, 0)), omega, one, one
+        unit = np.eye(width)
+        return generator, np.empty(0, np.complex128), np.empty((0, 0)), omega, unit, unit
     n, m = len(basis[p]), 2 * len(poles[p])
     scales = scales_of(generator, n)
     forth, back = np.zeros((width, m + width - n)), np.zeros((m + width - n, width))
@@ -59,8 +59,8 @@ def gained(case: Any, p: int, t: float, Y: Matrix) -> Matrix:
     poles = case[7][0]
     if len(poles) > 0 and np.abs(poles[p]).max() * abs(t) > SHORT:
         way = way_of(case, p)
-        found: Matrix = way[4] @ added(way, t, way[5] @ Y)
-        return found
+        change: Matrix = way[4] @ added(way, t, way[5] @ Y)
+        return change
     return exp_less_one(case[1][p], t) @ Y
 
 
@@ -68,8 +68,8 @@ def added(way: Any, t: float, y: Matrix) -> Matrix:
     """Return the change of coordinates in a time, by column."""
     generator, poles, drives, omega, _, _ = way
     if len(poles) == 0:
-        found: Matrix = exp_less_one(generator, t) @ y
-        return found
+        change: Matrix = exp_less_one(generator, t) @ y
+        return change
     return by_basis(poles, drives, omega, answers(poles, omega, t), t, y)
 
 
@@ -81,25 +81,25 @@ def ahead(way: Any, t: float, y: Vector) -> Vector:
 def along(way: Any, s: float, Y: Vector) -> Matrix:
     """Return the coordinates at equidistant times that resolve a phase, by column."""
     generator, poles, drives, omega, _, back = way
-    states, known = len(Y) - 3, len(poles) > 0
+    states, has_basis = len(Y) - 3, len(poles) > 0
     size = norm(generator[:states, :states]) * abs(s)
     count = int(min(max(ceil(CLOSE * size), FEWEST), MOST))
-    found, done = np.empty((len(back), count + 1)), 1
-    found[:, 0] = back @ Y
-    step = np.empty((0, 0)) if known else exp_less_one(generator, s / count)
-    made = answers(poles, omega, s / count)
-    while done <= count:
-        more, t = min(done, count + 1 - done), done * s / count
-        here = found[:, :more].copy()
-        if known:
-            here += by_basis(poles, drives, omega, made, t, here)
-            made = doubled(made, poles, omega, t)
+    coordinates, filled = np.empty((len(back), count + 1)), 1
+    coordinates[:, 0] = back @ Y
+    step = np.empty((0, 0)) if has_basis else exp_less_one(generator, s / count)
+    responses = answers(poles, omega, s / count)
+    while filled <= count:
+        columns, t = min(filled, count + 1 - filled), filled * s / count
+        block = coordinates[:, :columns].copy()
+        if has_basis:
+            block += by_basis(poles, drives, omega, responses, t, block)
+            responses = doubled(responses, poles, omega, t)
         else:
-            here += step @ here
+            block += step @ block
             step = 2 * step + step @ step
-        found[:, done : done + more] = here
-        done += more
-    return found
+        coordinates[:, filled : filled + columns] = block
+        filled += columns
+    return coordinates
 
 
 def halves(way: Any, h: float) -> tuple[Any, Any]:
@@ -112,26 +112,26 @@ def halves(way: Any, h: float) -> tuple[Any, Any]:
     size = norm(generator[: width - 3, : width - 3]) * abs(h) * CLOSE
     count = ceil(log2(size)) if size > 1 else 0
     if len(poles) > 0:
-        found = np.empty((count, 3, len(poles)), np.complex128)
+        responses = np.empty((count, 3, len(poles)), np.complex128)
         if count > 0:
-            found[count - 1] = answers(poles, omega, h / 2.0**count)
+            responses[count - 1] = answers(poles, omega, h / 2.0**count)
         for j in range(count - 2, -1, -1):
-            found[j] = doubled(found[j + 1], poles, omega, h / 2.0 ** (j + 2))
-        return np.empty((0, 0, 0)), found
-    own = np.empty((count, width, width))
+            responses[j] = doubled(responses[j + 1], poles, omega, h / 2.0 ** (j + 2))
+        return np.empty((0, 0, 0)), responses
+    exponentials = np.empty((count, width, width))
     if count > 0:
-        own[count - 1] = exp_less_one(generator, h / 2.0**count)
+        exponentials[count - 1] = exp_less_one(generator, h / 2.0**count)
     for j in range(count - 2, -1, -1):
-        own[j] = own[j + 1] @ own[j + 1] + 2 * own[j + 1]
-    return own, np.empty((0, 3, 0), np.complex128)
+        exponentials[j] = exponentials[j + 1] @ exponentials[j + 1] + 2 * exponentials[j + 1]
+    return exponentials, np.empty((0, 3, 0), np.complex128)
 
 
 def over(way: Any, finer: tuple[Any, Any], j: int, t: float, y: Vector) -> Vector:
     """Return the coordinates after propagator j of `halves`, over its time t."""
     _, poles, drives, omega, _, _ = way
     if len(poles) == 0:
-        found: Vector = y + finer[0][j] @ y
-        return found
+        coordinates: Vector = y + finer[0][j] @ y
+        return coordinates
     return y + by_basis(poles, drives, omega, finer[1][j], t, y.reshape(-1, 1))[:, 0]
 
 
@@ -142,18 +142,18 @@ def expanded(way: Any, form: Vector) -> Matrix:
     """
     generator, poles, drives, omega, forth, _ = way
     m, width = len(poles), forth.shape[1]
-    found = np.empty((EXPANDED, width))
-    found[0] = form @ forth
+    coefficients = np.empty((EXPANDED, width))
+    coefficients[0] = form @ forth
     for j in range(1, EXPANDED):
-        before = found[j - 1]
+        previous = coefficients[j - 1]
         if m == 0:
-            found[j] = before @ generator / j
+            coefficients[j] = previous @ generator / j
             continue
-        real, imaginary = before[:m], before[m : 2 * m]
-        found[j, :m] = poles.real * real + poles.imag * imaginary
-        found[j, m : 2 * m] = poles.real * imaginary - poles.imag * real
-        found[j, 2 * m :] = before[: 2 * m] @ drives
-        found[j, width - 3] += omega * before[width - 2]
-        found[j, width - 2] -= omega * before[width - 3]
-        found[j] /= j
-    return found
+        real, imaginary = previous[:m], previous[m : 2 * m]
+        coefficients[j, :m] = poles.real * real + poles.imag * imaginary
+        coefficients[j, m : 2 * m] = poles.real * imaginary - poles.imag * real
+        coefficients[j, 2 * m :] = previous[: 2 * m] @ drives
+        coefficients[j, width - 3] += omega * previous[width - 2]
+        coefficients[j, width - 2] -= omega * previous[width - 3]
+        coefficients[j] /= j
+    return coefficients

@@ -106,28 +106,28 @@ class AtEvent:
 
         If none fits, it begins with a phase that is not mirrored, if there is one.
         """
-        turns = [found]
+        rotations = [found]
         for _ in range(0 if found.endless else len(found.slots) * (2 if found.half else 1) - 1):
-            turns.append(self._turned(turns[-1]))
-        plain = (each for each in turns if not each.slots[0].step.mirrored)
-        declared = (each for each in turns if each.course(self.course).declared is not None)
+            rotations.append(self._turned(rotations[-1]))
+        plain = (each for each in rotations if not each.slots[0].step.mirrored)
+        declared = (each for each in rotations if each.course(self.course).declared is not None)
         return next(declared, next(plain, found))
 
     def _turned(self, found: Candidate) -> Candidate:
         """Return a candidate rotated by one phase."""
-        first, *rest = found.slots
+        first, *others = found.slots
         last = self.next_cell(first, found.half)
         angle = found.angle + self.cell.omega * first.s
         grows = None if found.grows is None else (found.grows - 1) % len(found.slots)
-        return Candidate((*rest, last), found.half, angle, grows)
+        return Candidate((*others, last), found.half, angle, grows)
 
     def next_cell(self, slot: Slot, half: bool | None = None) -> Slot:
         """Return a phase a cell later: the same, or mirrored if cells are half periods."""
         if not (self.half if half is None else half):
             return slot
-        other = image(self.machine.cell, slot.step)
-        assert other is not None
-        return replace(slot, step=other, state=tuple(-q for q in slot.state))
+        mirrored = image(self.machine.cell, slot.step)
+        assert mirrored is not None
+        return replace(slot, step=mirrored, state=tuple(-component for component in slot.state))
 
     def _from(self, p: int) -> tuple[list[Slot], float]:
         """Return the phases of one cell from phase p on, and the angle where p begins."""
@@ -149,10 +149,10 @@ class AtEvent:
 
     def _leaps(self, p: int) -> bool:
         """Whether the velocity jumps where phase p begins."""
-        last, given = (p - 1) % len(self.slots), (self.equations, self.z)
-        before = self.course.moving_at(*given, last, self.slots[last].s)[1]
+        last, orbit = (p - 1) % len(self.slots), (self.equations, self.z)
+        before = self.course.moving_at(*orbit, last, self.slots[last].s)[1]
         before *= self.cell.sign if p == 0 else 1
-        after = self.course.moving_at(*given, p, 0.0)[1]
+        after = self.course.moving_at(*orbit, p, 0.0)[1]
         fastest = float(np.abs(self.found.place.extremes[1]).max())
         return abs(after - before) > ROUNDING * fastest
 
@@ -189,8 +189,8 @@ class AtEvent:
         before, after = (*self.slots, self.next_cell(self.slots[0]))[p : p + 2]
         for step in self.steps:
             if self._may(before.step, step) and self._may(step, after.step):
-                new = Slot(step, after.state, 0.0)
-                slots = (*self.slots[: p + 1], new, *self.slots[p + 1 :])
+                inserted = Slot(step, after.state, 0.0)
+                slots = (*self.slots[: p + 1], inserted, *self.slots[p + 1 :])
                 yield Candidate(slots, self.half, self.angle, p + 1)
 
     def _touched(self, p: int, demand: int, column: int) -> Iterator[Candidate]:
@@ -202,22 +202,22 @@ class AtEvent:
         ended = self._ended_by(slot.step, demand)
         if ended is None:
             return
-        given = self.equations, piece.table, self.z, self.found.row
-        when = 0.0 if column != LEAST else float(self.course.by("when_least", *given))
-        state = self.course.state(self.equations, self.z, p, when)
+        arguments = self.equations, piece.table, self.z, self.found.row
+        time = 0.0 if column != LEAST else float(self.course.by("when_least", *arguments))
+        state = self.course.state(self.equations, self.z, p, time)
         between = [q for q in self.steps if self._may(ended, q) and self._may(q, slot.step)]
-        ways = [[Slot(step, state, 0.0)] for step in between]
+        insertions = [[Slot(step, state, 0.0)] for step in between]
         if self.machine.node(ended).changes_velocity and self._may(ended, slot.step):
-            ways.insert(0, [])
-        for new in ways:
+            insertions.insert(0, [])
+        for inserted in insertions:
             if self.course.endless:
-                angle = self._angle(p) + self.cell.omega * when
-                yield from self._cut(new, Slot(ended, state, slot.s), angle)
+                angle = self._angle(p) + self.cell.omega * time
+                yield from self._cut(inserted, Slot(ended, state, slot.s), angle)
                 continue
-            first = replace(slot, step=ended, s=when)
-            last = Slot(slot.step, state, slot.s - when)
-            slots = (*self.slots[:p], first, *new, last, *self.slots[p + 1 :])
-            yield Candidate(slots, self.half, self.angle, p + 1 if new else None)
+            first_part = replace(slot, step=ended, s=time)
+            last_part = Slot(slot.step, state, slot.s - time)
+            slots = (*self.slots[:p], first_part, *inserted, last_part, *self.slots[p + 1 :])
+            yield Candidate(slots, self.half, self.angle, p + 1 if inserted else None)
 
     def _ended_by(self, step: Step, demand: int) -> Step | None:
         """Return the phase of the same equation that ends where a demand vanishes."""

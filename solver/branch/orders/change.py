@@ -33,8 +33,8 @@ def beyond(found: Found) -> tuple[Piece, Place] | None:
     found : Found
         The event.
     """
-    at = AtEvent(found)
-    for candidate in map(at.as_declared, at.candidates()):
+    event = AtEvent(found)
+    for candidate in map(event.as_declared, event.candidates()):
         for ahead in AHEAD:
             try:
                 return _orbit_beyond(found, candidate, ahead)
@@ -49,23 +49,23 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     The equations of the doubled orbit have a two-dimensional null space at the flip.  The
     search starts along its direction in which the two halves of the orbit differ.
     """
-    at, old = AtEvent(found), found.piece
-    if at.course.endless:
+    event, piece = AtEvent(found), found.piece
+    if event.course.endless:
         return None
-    slots = (*at.slots, *map(at.next_cell, at.slots))
+    slots = (*event.slots, *map(event.next_cell, event.slots))
     order = Order(tuple(slot.step for slot in slots))
-    cycles = old.course.cycles * (1 if at.half else 2)
-    course = replace(old.course, order=order, cycles=cycles)
-    z = _unknowns(found, course, Candidate(slots, False, at.angle))
-    here = np.append(z, old.number(found.place.y))
-    bare = Piece.at(course, old.case, old.index, old.bounds, here, ())
-    y = bare.of_number(here)
-    free = bare.singular_vectors(y)[-2:]
-    apart = [halves_apart(bare, each) for each in free]
-    border = np.linalg.svd(np.array(apart).T)[2][0] @ free
-    for ahead in ASIDE:
+    cycles = piece.course.cycles * (1 if event.half else 2)
+    course = replace(piece.course, order=order, cycles=cycles)
+    z = _unknowns(found, course, Candidate(slots, False, event.angle))
+    unknowns = np.append(z, piece.number(found.place.y))
+    bare = Piece.at(course, piece.case, piece.index, piece.bounds, unknowns, ())
+    y = bare.of_number(unknowns)
+    null_space = bare.singular_vectors(y)[-2:]
+    differences = [halves_apart(bare, direction) for direction in null_space]
+    border = np.linalg.svd(np.array(differences).T)[2][0] @ null_space
+    for distance in ASIDE:
         try:
-            y_aside = bare.corrected(y + ahead * border / bare.along.weights, border)
+            y_aside = bare.corrected(y + distance * border / bare.along.weights, border)
             return _admitted(bare, y_aside, border)
         except (NoStepError, ParameterError, ArithmeticError):
             continue
@@ -80,16 +80,16 @@ def _orbit_beyond(found: Found, candidate: Candidate, ahead: float) -> tuple[Pie
     NoStepError
         If there is none.
     """
-    old = found.piece
-    course = candidate.course(old.course)
+    piece = found.piece
+    course = candidate.course(piece.course)
     z = _unknowns(found, course, candidate)
-    count, forced = len(candidate.slots), old.cell.forced
+    count, forced = len(candidate.slots), piece.cell.forced
     at_s = len(z) - count - forced
     if candidate.grows is not None:
         z[at_s + candidate.grows] = ahead * z[at_s : at_s + count].sum()
-    at = np.append(z, old.number(found.place.y))
-    bare = Piece.at(course, old.case, old.index, old.bounds, at, ())
-    y = bare.of_number(at)
+    unknowns = np.append(z, piece.number(found.place.y))
+    bare = Piece.at(course, piece.case, piece.index, piece.bounds, unknowns, ())
+    y = bare.of_number(unknowns)
     if candidate.grows is not None:
         border = np.zeros(len(y))
         border[at_s + candidate.grows] = 1.0
@@ -97,10 +97,10 @@ def _orbit_beyond(found: Found, candidate: Candidate, ahead: float) -> tuple[Pie
     border = bare.singular_vectors(y)[-1]
     border *= np.copysign(1.0, border[-1])
     y = bare.corrected(y, border)
-    for side in (ahead, -ahead):
+    for distance in (ahead, -ahead):
         try:
-            y_aside = bare.corrected(y + side * border / bare.along.weights, border)
-            return _admitted(bare, y_aside, side * border)
+            y_aside = bare.corrected(y + distance * border / bare.along.weights, border)
+            return _admitted(bare, y_aside, distance * border)
         except NoStepError:
             continue
     raise NoStepError
@@ -116,9 +116,9 @@ def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
     """
     if abs(y[-1]) > 1:
         raise NoStepError
-    own = np.append(y[:-1], bare.number(y))
-    piece = Piece.at(bare.course, bare.case, bare.index, bare.bounds, own)
-    place = piece.place(piece.of_number(own), border)
+    unknowns = np.append(y[:-1], bare.number(y))
+    piece = Piece.at(bare.course, bare.case, bare.index, bare.bounds, unknowns)
+    place = piece.place(piece.of_number(unknowns), border)
     if not piece.admits(place):
         raise NoStepError
     return piece, place

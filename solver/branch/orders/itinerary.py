@@ -67,14 +67,14 @@ class Itinerary:
             return f"only {self.motion}"
         if self.declared is not None:
             return self.motion or self._scene.motion
-        steps, half, turns = self.order.steps, self.order.half_period, []
+        steps, half, names = self.order.steps, self.order.half_period, []
         cell = self.base.cell(self._numbers)
         for _ in range(len(steps) * (2 if half else 1)):
-            first, *rest = steps
-            steps = (*rest, (image(cell, first) or first) if half else first)
+            first, *others = steps
+            steps = (*others, (image(cell, first) or first) if half else first)
             name = in_order(self.base, Order(steps, half)).motion
-            turns.append((sum(step.mirrored for step in steps), name))
-        return min(turns)[1]
+            names.append((sum(step.mirrored for step in steps), name))
+        return min(names)[1]
 
     def case(self, case: Case) -> Case:
         """Return a case of the same parameters whose motion has this order."""
@@ -90,14 +90,14 @@ class Itinerary:
         """Return its cell for parameters without units."""
         if not self.endless:
             return self._scene.cell(numbers, self.cycles, self.units)
-        found = in_cell(self.declares(numbers), self.order)
-        return replace(found, phases=(found.phases[0].cut(),), cycles=self.cycles)
+        cell = in_cell(self.declares(numbers), self.order)
+        return replace(cell, phases=(cell.phases[0].cut(),), cycles=self.cycles)
 
     @cached_property
     def _generic(self) -> Cell:
         """Its cell for them, whether or not it would be a motion there."""
-        found = in_cell(self.base.cell(self._numbers), self.order)
-        return replace(found, phases=(found.phases[0].cut(),)) if self.endless else found
+        cell = in_cell(self.base.cell(self._numbers), self.order)
+        return replace(cell, phases=(cell.phases[0].cut(),)) if self.endless else cell
 
     @property
     def _numbers(self) -> tuple[float, ...]:

@@ -257,8 +257,8 @@ MUTANTS = (
     Mutant(
         "a phase of a body that begins where it ends has its event undivided",
         "solver/branch/bodies/equations.py",
-        "found = events[p] @ (Y if divided[p] == 0 else gain / s)",
-        "found = events[p] @ Y",
+        "event_row = events[p] @ (Y if divided[p] == 0 else gain / s)",
+        "event_row = events[p] @ Y",
         (f"{BRANCHES}::test_contact_ends_in_the_linear_response_and_begins_there",),
     ),
     Mutant(
@@ -295,7 +295,7 @@ MUTANTS = (
     Mutant(
         "a slip of a body that vanishes has its event divided never",
         "solver/branch/bodies/course.py",
-        "            divided[p] = often if often > 1 else divided[p]\n",
+        "            divided[p] = order if order > 1 else divided[p]\n",
         "            divided[p] = 0\n",
         (f"{ENDS}::test_a_slip_vanishes_where_friction_just_holds",),
     ),
@@ -327,8 +327,8 @@ MUTANTS = (
     Mutant(
         "places of a body are in other scales than its eigenbasis",
         "solver/branch/bodies/exponential.py",
-        "found[i] = generator[i, n // 2 + i]",
-        "found[i] = 1.0",
+        "scales[i] = generator[i, n // 2 + i]",
+        "scales[i] = 1.0",
         (f"{EIGENBASES}::test_states_grow_as_exact_exponentials",),
     ),
     Mutant(
@@ -343,8 +343,8 @@ MUTANTS = (
     Mutant(
         "what poles make of the forcing does not turn with it where a time is doubled",
         "solver/branch/bodies/exponential.py",
-        "found[1] = made[1] * (grown + np.exp(-1j * omega * t))",
-        "found[1] = made[1] * (grown + np.exp(1j * omega * t))",
+        "responses[1] = made[1] * (growth + np.exp(-1j * omega * t))",
+        "responses[1] = made[1] * (growth + np.exp(1j * omega * t))",
         (f"{EIGENBASES}::test_coordinates_of_a_phase_are_its_states",),
     ),
     Mutant(
