@@ -145,31 +145,31 @@ def branch(
     True
     """
     check_case(case)
-    near = start if isinstance(start, ExactOrbit) else getattr(start, "exact", None)
-    if near is None and start is not None:
+    exact = start if isinstance(start, ExactOrbit) else getattr(start, "exact", None)
+    if exact is None and start is not None:
         raise ValueError(f"start: got {start!r:.80}, expected an orbit near an exact one")
-    case = case if near is None else near.case
+    case = case if exact is None else exact.case
     how = Expansion.checked(case, method, order, functions)
     bounds = _bounds(case, parameter, first, last)
-    orbit = _start(case, parameter, bounds) if near is None else near
+    orbit = _start(case, parameter, bounds) if exact is None else exact
     value = orbit.case.values[parameter]
     if not bounds[0] <= value <= bounds[1]:
         expected = f"an orbit between {first:g} and {last:g}"
         raise ValueError(f"start: got one at {parameter} = {value:g}, expected {expected}")
-    found = BothWays(index_of(case, parameter))
+    followed = BothWays(index_of(case, parameter))
     try:
-        place = start_of(orbit, found.index, bounds)
+        place = start_of(orbit, followed.index, bounds)
     except ArithmeticError as error:
         words = f"{orbit.case.scene.label}: no branch can be followed from the orbit at"
         why = str(error) or "its equations are singular, to rounding"
         raise NoOrbit(f"{words} {parameter} = {value:g}: {why}", False, ()) from None
     try:
-        go(found, place, seen=progress)
+        go(followed, place, seen=progress)
     except KeyboardInterrupt:
-        if not found.points():
+        if not followed.points():
             raise
-        raise _interrupted([_result(case, parameter, found, how)]) from None
-    return _result(case, parameter, found, how)
+        raise _interrupted([_result(case, parameter, followed, how)]) from None
+    return _result(case, parameter, followed, how)
 
 
 def branches(
@@ -201,18 +201,18 @@ def branches(
     check_case(case)
     how = Expansion.checked(case, method, order, functions)
     bounds = _bounds(case, parameter, first, last)
-    found: list[Branch] = []
+    results: list[Branch] = []
     try:
-        for both in every_way(case, parameter, bounds, VALUES, DOUBLED, progress):
-            own = case if both.course is None else both.course.case(case)
-            found.append(_result(own, parameter, both, how))
+        for followed in every_way(case, parameter, bounds, VALUES, DOUBLED, progress):
+            own_case = case if followed.course is None else followed.course.case(case)
+            results.append(_result(own_case, parameter, followed, how))
     except KeyboardInterrupt:
-        if not found:
+        if not results:
             raise
-        raise _interrupted(found) from None
-    if not found:
+        raise _interrupted(results) from None
+    if not results:
         _start(case, parameter, bounds)
-    return found
+    return results
 
 
 def _interrupted(done: list[Branch]) -> Interrupted:
@@ -228,45 +228,45 @@ def every_way(
     Then those that begin at events of the kinds `beside`: of twice the period at a flip, and
     without its symmetry where an orbit loses it.
     """
-    found: list[BothWays] = []
+    earlier: list[BothWays] = []
     for value in map(float, np.linspace(*bounds, values)):
         for orbit in _orbits(case.with_value(parameter, value)):
-            there = (q for both in found for q in orbits_at(both, value))
-            if any(are_one(orbit, other) for other in there):
+            orbits_there = (q for followed in earlier for q in orbits_at(followed, value))
+            if any(are_one(orbit, other) for other in orbits_there):
                 continue
-            both = BothWays(index_of(case, parameter))
+            followed = BothWays(index_of(case, parameter))
             with suppress(ArithmeticError):  # it is not isolated
-                go(both, start_of(orbit, both.index, bounds), seen=seen)
-                found.append(both)
-                yield both
-    for both in found:
-        yield from _doubled(both, beside, seen)
+                go(followed, start_of(orbit, followed.index, bounds), seen=seen)
+                earlier.append(followed)
+                yield followed
+    for followed in earlier:
+        yield from _doubled(followed, beside, seen)
 
 
 def _doubled(found: BothWays, kinds: Container[str], seen: Seen) -> Iterator[BothWays]:
     """Yield the branches at the flips of another, and where symmetry is lost on it."""
     met: list[float] = []
     for event in found.events():
-        here = event.kind in kinds and event.monitor >= 0
-        if not here or any(abs(end - event.value) <= NEAR * abs(end) for end in met):
+        begins = event.kind in kinds and event.monitor >= 0
+        if not begins or any(abs(end - event.value) <= NEAR * abs(end) for end in met):
             continue
         start = None
         with suppress(ArithmeticError, ParameterError, UnknownScene):
             start = doubled(event)
         if start is not None:
-            other = BothWays(found.index, start[0].course)
-            go(other, start, seen=seen)
-            met += [each.value for each in other.events()]
-            yield other
+            followed = BothWays(found.index, start[0].course)
+            go(followed, start, seen=seen)
+            met += [each.value for each in followed.events()]
+            yield followed
 
 
 def _orbits(case: Case) -> list[ExactOrbit]:
     """Return the orbits of a case that are known, or one that is found; none if it is none."""
-    found: list[ExactOrbit] = []
+    orbits: list[ExactOrbit] = []
     with suppress(NoOrbit, ParameterError):
-        found = known_orbits(case)
-        found = found or [exact_orbit(case)]
-    return found
+        orbits = known_orbits(case)
+        orbits = orbits or [exact_orbit(case)]
+    return orbits
 
 
 def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
@@ -286,8 +286,8 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
 
     Where there is no such oscillator at some of the values, it is looked for at the others.
     """
-    own, (low, high) = case.values[parameter], bounds
-    values = [own] if low <= own <= high else []
+    value_of_case, (low, high) = case.values[parameter], bounds
+    values = [value_of_case] if low <= value_of_case <= high else []
     tried: list[str] = []
     errors: list[ParameterError] = []
     parts = ((1 - part) * low + part * high for part in STARTS)  # the ends are exact
@@ -295,8 +295,8 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
         try:
             return exact_orbit(case.with_value(parameter, value))
         except NoOrbit as finding:
-            every = (finding.reason,) if finding.proven else finding.reasons
-            tried += [f"at {parameter} = {value:g}: {why}" for why in every]
+            reasons = (finding.reason,) if finding.proven else finding.reasons
+            tried += [f"at {parameter} = {value:g}: {why}" for why in reasons]
         except ParameterError as error:
             errors.append(error)
             tried.append(f"at {parameter} = {value:g}: {error}")
@@ -308,12 +308,12 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
 
 def _result(case: Case, parameter: str, found: BothWays, how: Expansion) -> Branch:
     """Return what is found of a branch as users hold it."""
-    happened = found.events()
-    events = tuple(map(event_of, happened))
-    ends = {id(event.place) for event in happened if event.changes}  # of an order of phases
+    found_events = found.events()
+    events = tuple(map(event_of, found_events))
+    ends = {id(event.place) for event in found_events if event.changes}  # of an order of phases
     rows = tuple(
         replace(row_of(piece, place, id(place) not in ends), beside=how.beside(piece, place))
         for piece, place in found.points()
     )
-    made = how.method, how.order, how.functions
-    return Branch(case, parameter, *made, rows, events, found.why())
+    expansion = how.method, how.order, how.functions
+    return Branch(case, parameter, *expansion, rows, events, found.why())
