@@ -126,15 +126,15 @@ def chart(
         for curve in curves_of(events, planes):
             points = np.array([curve.plane.values(y) for y in curve.points])
             curves.append(EventCurve(curve.kind, curve.plane.course.called, points, curve.why))
-        for part, found in zip(parts, blocks, strict=True):
-            best[part] = np.minimum(best[part], found)
+        for part, block in zip(parts, blocks, strict=True):
+            best[part] = np.minimum(best[part], block)
             done = part[-1] + 1
             seen(f"{rows.name} = {rows.values[done - 1]:g}")
     except KeyboardInterrupt:
         if not done:
             raise
-        part_of = _result(case, names, values, planes, best, curves)
-        raise Interrupted(part_of, f"{done} of {rows.count} rows are done") from None
+        partial = _result(case, names, values, planes, best, curves)
+        raise Interrupted(partial, f"{done} of {rows.count} rows are done") from None
     return _result(case, names, values, planes, best, curves)
 
 
@@ -164,11 +164,11 @@ def planes_of(
     indices = index_of(case, names[0]), index_of(case, names[1])
     planes, seeds = [], []
     for course in sorted({q.course: None for q in stretches}, key=_turn):
-        own = [q for q in stretches if q.course == course]
-        longest = max(own, key=lambda q: len(q.points))
+        same_course = [q for q in stretches if q.course == course]
+        longest = max(same_course, key=lambda q: len(q.points))
         plane = Plane.over(course, longest.case, indices, bounds, longest.middle)
         planes.append(plane)
-        seeds.append(plane.inside(np.concatenate([q.points for q in own])))
+        seeds.append(plane.inside(np.concatenate([q.points for q in same_course])))
     return planes, seeds
 
 
@@ -189,10 +189,10 @@ def _result(
     number, verdict = (best % count, best // count) if count else (best, best)
     index, motions = np.full(best.shape, -1), []
     for i, plane in enumerate(planes):
-        here = (number == i) & (best < 3 * count)
-        if here.any():
+        chosen = (number == i) & (best < 3 * count)
+        if chosen.any():
             motions += [] if plane.course.called in motions else [plane.course.called]
-            index[here] = motions.index(plane.course.called)
+            index[chosen] = motions.index(plane.course.called)
     stable = np.where(verdict == NEITHER, -1, verdict == STABLE).astype(int)
     stable[index < 0] = -1
     return Chart(case, names, values, tuple(motions), index, stable, tuple(curves))
@@ -203,7 +203,7 @@ def _axes(case: Case, axes: Mapping[str, tuple[float, float, int]]) -> tuple[Axi
     check_case(case)
     if not isinstance(axes, Mapping) or len(axes) != 2:
         raise ValueError(f"axes: got {axes!r:.80}, expected two parameters")
-    columns, rows = (_axis(case, name, given) for name, given in axes.items())
+    columns, rows = (_axis(case, name, extent) for name, extent in axes.items())
     if columns.count * rows.count > MOST_POINTS:
         got = f"{columns.count} by {rows.count} points"
         raise ValueError(f"axes: got {got}, expected at most {MOST_POINTS}")
@@ -226,5 +226,5 @@ def _axis(case: Case, name: str, given: object) -> Axis:
 
 def _at(case: Case, names: tuple[str, str], values: Sequence[float]) -> Case:
     """Return the case at a point of the map."""
-    given = dict(case.values) | {n: float(q) for n, q in zip(names, values, strict=True)}
-    return Case(case.scene, given, case.cycles)
+    parameters = dict(case.values) | {n: float(q) for n, q in zip(names, values, strict=True)}
+    return Case(case.scene, parameters, case.cycles)

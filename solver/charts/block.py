@@ -67,9 +67,9 @@ def block_of(
         the least is preferred.  Without an orbit ``3 * planes``.
     """
     best = np.full(len(A) * len(B), 3 * len(planes))
-    for number, (plane, own) in enumerate(zip(planes, seeds, strict=True)):
-        at, stable = orbits_of(plane, A, B, wide, own)
-        np.minimum.at(best, at, stable * len(planes) + number)
+    for number, (plane, plane_seeds) in enumerate(zip(planes, seeds, strict=True)):
+        points, stable = orbits_of(plane, A, B, wide, plane_seeds)
+        np.minimum.at(best, points, stable * len(planes) + number)
     return best.reshape(len(B), len(A))
 
 
@@ -82,9 +82,9 @@ def orbits_of(
     If it refuses one, all of the set are checked; a large set is dropped.
     """
     n, size = seeds.shape[1] - 2, plane.perturbed
-    near = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
-    orbits = _room(4 * len(near) + ROOM, len(A) * len(B), n, size)
-    begin, count = 0, by("sown", plane, A, B, wide, near, orbits)
+    nearby = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
+    orbits = _room(4 * len(nearby) + ROOM, len(A) * len(B), n, size)
+    begin, count = 0, by("sown", plane, A, B, wide, nearby, orbits)
     while begin < count:
         if count == len(orbits[0]):
             orbits = _larger(orbits, len(A) * len(B), n, size)
@@ -96,10 +96,10 @@ def orbits_of(
         return orbit is None or (orbit.outcome.converged and orbit.admissible)
 
     stable, counts = stability_of(plane, maps), np.ones(count, dtype=bool)
-    for own in _linked(links):
-        some = own[np.linspace(0, len(own) - 1, min(len(own), ASKED)).astype(int)]
-        if not all(map(is_one, some)):
-            counts[own] = [*map(is_one, own)] if len(own) <= MANY else False
+    for group in _linked(links):
+        checked = group[np.linspace(0, len(group) - 1, min(len(group), ASKED)).astype(int)]
+        if not all(map(is_one, checked)):
+            counts[group] = [*map(is_one, group)] if len(group) <= MANY else False
     return at[counts], stable[counts]
 
 
@@ -108,19 +108,19 @@ def _linked(links: Integers) -> list[Integers]:
     from scipy.sparse import coo_array  # noqa: PLC0415  (100 ms)
     from scipy.sparse.csgraph import connected_components  # noqa: PLC0415  (see above)
 
-    here, side = np.nonzero(links >= 0)
-    pairs = here, links[here, side]
-    ways = coo_array((np.ones(len(here)), pairs), shape=(len(links), len(links)))
-    count, labels = connected_components(ways, directed=False)
+    orbit, side = np.nonzero(links >= 0)
+    pairs = orbit, links[orbit, side]
+    graph = coo_array((np.ones(len(orbit)), pairs), shape=(len(links), len(links)))
+    count, labels = connected_components(graph, directed=False)
     return [np.flatnonzero(labels == label) for label in range(count)]
 
 
 def _room(count: int, points: int, n: int, size: int) -> tuple[Any, ...]:
     """Return arrays for `count` orbits on a number of points; see `filling.fill`."""
-    whole = np.int64
+    integer = np.int64
     return (
-        np.empty((count, n)), np.empty(count, whole), np.empty(count),
-        np.full((count, 4), -1), np.full(points, -1), np.empty(count, whole),
+        np.empty((count, n)), np.empty(count, integer), np.empty(count),
+        np.full((count, 4), -1), np.full(points, -1), np.empty(count, integer),
         np.empty((count, 2, size, size)),
     )  # fmt: skip
 
@@ -128,10 +128,10 @@ def _room(count: int, points: int, n: int, size: int) -> tuple[Any, ...]:
 def _larger(orbits: tuple[Any, ...], points: int, n: int, size: int) -> tuple[Any, ...]:
     """Return arrays of orbits with twice the room."""
     count = len(orbits[0])
-    found = _room(2 * count, points, n, size)
+    larger = _room(2 * count, points, n, size)
     for i, part in enumerate(orbits):
-        found[i][: len(part)] = part
-    return found
+        larger[i][: len(part)] = part
+    return larger
 
 
 def stability_of(plane: Plane, maps: Any) -> Integers:
@@ -140,18 +140,18 @@ def stability_of(plane: Plane, maps: Any) -> Integers:
     See `cell_map`.  Where rounding could matter, `stability.of_monodromy` decides.
     """
     cell = plane.course.cell(plane.case.numbers)
-    known = np.isfinite(maps).all(axis=(1, 2, 3))
-    own = np.where(known[:, None, None, None], maps, 0.0)
-    values = np.linalg.eigvals(own[:, 0])
+    finite = np.isfinite(maps).all(axis=(1, 2, 3))
+    matrices = np.where(finite[:, None, None, None], maps, 0.0)
+    values = np.linalg.eigvals(matrices[:, 0])
     moduli = np.abs(values)
     if not cell.forced:  # a shift in time is no perturbation
-        moduli[np.arange(len(own)), np.abs(values - 1).argmin(axis=1)] = 0.0
-    margin, norm = 1 - moduli.max(axis=1), np.linalg.norm(own[:, 1], axis=(1, 2))
-    found = np.where(margin > 0, STABLE, UNSTABLE)
-    found[~known | (np.abs(margin) <= ROUNDING / 2)] = NEITHER
-    near = np.abs(margin) <= np.sqrt(ROUNDING * norm) * (1 + norm)
+        moduli[np.arange(len(matrices)), np.abs(values - 1).argmin(axis=1)] = 0.0
+    margin, norm = 1 - moduli.max(axis=1), np.linalg.norm(matrices[:, 1], axis=(1, 2))
+    verdicts = np.where(margin > 0, STABLE, UNSTABLE)
+    verdicts[~finite | (np.abs(margin) <= ROUNDING / 2)] = NEITHER
+    doubtful = np.abs(margin) <= np.sqrt(ROUNDING * norm) * (1 + norm)
     lost = forgotten(cell)
-    for k in np.flatnonzero(near & (found != NEITHER)):
-        stable = of_monodromy(cell, Monodromy(own[k, 0], own[k, 1], lost)).stable
-        found[k] = {True: STABLE, None: NEITHER, False: UNSTABLE}[stable]
-    return found
+    for k in np.flatnonzero(doubtful & (verdicts != NEITHER)):
+        stable = of_monodromy(cell, Monodromy(matrices[k, 0], matrices[k, 1], lost)).stable
+        verdicts[k] = {True: STABLE, None: NEITHER, False: UNSTABLE}[stable]
+    return verdicts

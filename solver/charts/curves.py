@@ -58,16 +58,16 @@ class Curve:
 
 def curves_of(happened: Iterable[Happening], planes: Sequence[Plane]) -> list[Curve]:
     """Return the curves on which events lie, each once."""
-    found: list[Curve] = []
+    curves: list[Curve] = []
     for event in happened:
         plane = next((q for q in planes if q.course == event.course), None)
         monitor = None if plane is None else _monitor_of(plane, event)
         if plane is None or monitor is None:
             continue
         y = plane.inside(event.point[None])[0]
-        if not any(_passes(q, event.kind, y[-2:], event.across) for q in found):
-            found += _followed(event.kind, plane, monitor, y, event.across)
-    return found
+        if not any(_passes(q, event.kind, y[-2:], event.across) for q in curves):
+            curves += _followed(event.kind, plane, monitor, y, event.across)
+    return curves
 
 
 def _monitor_of(plane: Plane, event: Happening) -> int | None:
@@ -95,36 +95,36 @@ def _followed(kind: str, plane: Plane, monitor: int, y: Vector, across: int) -> 
 
 def _way(plane: Plane, monitor: int, y: Vector, direction: Vector) -> tuple[list[Vector], str]:
     """Return the points of a curve from y on in a direction, and why it ends."""
-    first, ahead, weights = y, direction, np.append(plane.series.weights, 1.0)
+    start, ahead, weights = y, direction, np.append(plane.series.weights, 1.0)
     watched = np.abs(_monitors(plane, y)) > ROUNDING  # or there is none as yet
     watched |= np.isnan(_monitors(plane, y))
     watched[-OWN:], watched[monitor] = False, False
     points: list[Vector] = []
     length, growth, why = FIRST, GROWTH, LOST
     while len(points) < MOST_POINTS:
-        seen = float(np.abs(direction[-2:]).max())
-        length = min(length, MOST, MOST_SEEN / seen if seen else MOST)
-        there, tangent = _pinned(plane, monitor, y + length * direction / weights, direction)
-        accepted = there is not None and tangent @ direction >= TURN
-        if there is not None and accepted:
-            if np.abs(there[-2:]).max() > 1:
-                end = _edge(plane, monitor, y, there)
+        visible = float(np.abs(direction[-2:]).max())
+        length = min(length, MOST, MOST_SEEN / visible if visible else MOST)
+        point, tangent = _pinned(plane, monitor, y + length * direction / weights, direction)
+        accepted = point is not None and tangent @ direction >= TURN
+        if point is not None and accepted:
+            if np.abs(point[-2:]).max() > 1:
+                end = _edge(plane, monitor, y, point)
                 return ([*points, end], RANGE) if end is not None else (points, LOST)
-            if (_monitors(plane, there)[watched] < -ROUNDING).any():
+            if (_monitors(plane, point)[watched] < -ROUNDING).any():
                 accepted, growth, why = False, 1.0, VIOLATED
-            elif monitor == MONITORS["torus"] and not _turns(plane, there):
+            elif monitor == MONITORS["torus"] and not _turns(plane, point):
                 accepted, growth, why = False, 1.0, REAL
-        if there is None or not accepted:
+        if point is None or not accepted:
             length /= 2
             if length < LEAST:
                 return points, why
             continue
-        away = (first - y) * weights
-        near = 0 <= away @ direction <= length >= np.linalg.norm(away)
-        if len(points) > 2 and near and tangent @ ahead > 0:
+        offset = (start - y) * weights
+        is_near = 0 <= offset @ direction <= length >= np.linalg.norm(offset)
+        if len(points) > 2 and is_near and tangent @ ahead > 0:
             return points, CLOSED
-        points.append(there)
-        y, direction, length = there, tangent, length * growth
+        points.append(point)
+        y, direction, length = point, tangent, length * growth
     return points, f"{MOST_POINTS} points are the most that a curve has each way"
 
 
@@ -134,9 +134,9 @@ def _turns(plane: Plane, y: Vector) -> bool:
     if orbit is None:
         return False
     values = np.array(stability(orbit).multipliers)
-    one, other = np.tril_indices(len(values), -1)
-    nearest = int(np.argmin(np.abs(values[one] * values[other] - 1)))
-    return bool(abs(values[one[nearest]].imag) > TURNED)
+    row, column = np.tril_indices(len(values), -1)
+    nearest = int(np.argmin(np.abs(values[row] * values[column] - 1)))
+    return bool(abs(values[row[nearest]].imag) > TURNED)
 
 
 def _edge(plane: Plane, monitor: int, y: Vector, there: Vector) -> Vector | None:
@@ -145,10 +145,10 @@ def _edge(plane: Plane, monitor: int, y: Vector, there: Vector) -> Vector | None
     with np.errstate(divide="ignore", invalid="ignore"):  # along an edge, or straight across
         parts = (ends - y[-2:]) / (there[-2:] - y[-2:])
     parts[np.abs(there[-2:]) <= 1] = np.inf
-    which = int(np.argmin(parts))
-    start = y + parts[which] * (there - y)
-    start[which - 2] = ends[which]
-    return _pinned(plane, monitor, start, _unit(len(y), which))[0]
+    index = int(np.argmin(parts))
+    start = y + parts[index] * (there - y)
+    start[index - 2] = ends[index]
+    return _pinned(plane, monitor, start, _unit(len(y), index))[0]
 
 
 def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
@@ -161,27 +161,27 @@ def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
         part = np.clip(-side[i] / change, 0, 1) if change else 0.0
         y = points[i] + part * (points[i + 1] - points[i])
         y[across - 2] = at[across]
-        off = abs(y[along] - at[1 - across])
-        if off <= ON:
+        distance = abs(y[along] - at[1 - across])
+        if distance <= ON:
             return True
-        if off > MOST_SEEN:
+        if distance > MOST_SEEN:
             continue
-        there, _ = _pinned(curve.plane, curve.monitor, y, _unit(len(y), across))
-        if there is not None and abs(there[along] - at[1 - across]) <= ON:
+        point, _ = _pinned(curve.plane, curve.monitor, y, _unit(len(y), across))
+        if point is not None and abs(point[along] - at[1 - across]) <= ON:
             return True
     return False
 
 
 def _unit(size: int, which: int) -> Vector:
     """Return the unit vector of a parameter: a border that fixes it."""
-    found = np.zeros(size)
-    found[which - 2] = 1.0
-    return found
+    unit = np.zeros(size)
+    unit[which - 2] = 1.0
+    return unit
 
 
 def _monitors(plane: Plane, y: Vector) -> Vector:
-    found: Vector = by("monitors_at", plane, y)
-    return found
+    monitors: Vector = by("monitors_at", plane, y)
+    return monitors
 
 
 def _pinned(
@@ -189,6 +189,6 @@ def _pinned(
 ) -> tuple[Vector | None, Vector]:
     """Return the point on a curve orthogonal to a border, or None, and the tangent there."""
     number = len(_monitors(plane, y)) + monitor if monitor < 0 else monitor
-    found = y.copy()
-    converged, direction = by("pinned", plane, number, found, border)
-    return (found if converged else None), direction
+    point = y.copy()
+    converged, direction = by("pinned", plane, number, point, border)
+    return (point if converged else None), direction

@@ -43,8 +43,8 @@ def row_of(plane: Any, b: float) -> Any:
     kinds, setting, series, divided, weights, before, sign, known = plane
     waves = chebyshev_at(b, series.shape[2])
     rows = series.reshape(-1, len(waves))
-    found = np.dot(rows, waves).reshape(series.shape[0], series.shape[1])
-    return kinds, setting, found, divided, weights, before, sign, known
+    along_a = np.dot(rows, waves).reshape(series.shape[0], series.shape[1])
+    return kinds, setting, along_a, divided, weights, before, sign, known
 
 
 def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, float]:
@@ -56,7 +56,7 @@ def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, flo
     case, n, weights = case_at(row_of(plane, b), a), len(z), plane[4]
     J, scales, rows = np.empty((n, n)), np.empty(n), np.empty(n, np.int64)
     step, before, fall, sign = np.empty(n), np.inf, 0.0, 0.0
-    for turn in range(CORRECTIONS):
+    for correction in range(CORRECTIONS):
         residual_and_jacobian(case, plane[3], z, step, J)
         for i in range(n):
             J[i] /= weights[:n]
@@ -69,11 +69,11 @@ def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, flo
         size = newton_step(z, step, J, rows, scales, weights)
         if not isfinite(size):
             return False, fall, sign
-        if turn == 1:
+        if correction == 1:
             fall = size / before
         if size <= CLOSE:
             return True, fall, sign
-        if turn > 0 and size > FALL * before:
+        if correction > 0 and size > FALL * before:
             return False, fall, sign
         before = size
     return False, fall, sign
@@ -87,19 +87,19 @@ def continued(
     slope : ndarray, shape (n,)
         Predicted change of the orbit.
     """
-    t, h, found, rate = 0.0, 1.0, z, slope
+    t, h, orbit, rate = 0.0, 1.0, z, slope
     while t < 1:
-        trial, u = found + h * rate, t + h
+        trial, u = orbit + h * rate, t + h
         a, b = at[0] + u * (to[0] - at[0]), at[1] + u * (to[1] - at[1])
         converged, fall, side = settled(plane, trial, a, b)
         if converged and fall <= FIRST_FALL and side == sign:
-            rate, found, t = (trial - found) / h, trial, u
+            rate, orbit, t = (trial - orbit) / h, trial, u
             h = min(2 * h, 1 - t)
         else:
             h /= 2
             if h < SHORTEST:
-                return False, found
-    return True, found
+                return False, orbit
+    return True, orbit
 
 
 def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> bool:
@@ -128,10 +128,10 @@ def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> b
 
 def change(plane: Any, z: Vector, other: Vector) -> Vector:
     """Return the difference of two orbits, with the phase of the forcing modulo 2 pi."""
-    found = z - other
+    difference = z - other
     if len(z) > plane[5] + len(plane[0]):
-        found[-1] -= 2 * pi * round(found[-1] / (2 * pi))
-    return found
+        difference[-1] -= 2 * pi * round(difference[-1] / (2 * pi))
+    return difference
 
 
 def number_of(
@@ -142,11 +142,11 @@ def number_of(
     Z, at, signs, _, heads, others, maps = orbits
     k = heads[point]
     while k >= 0:
-        apart = change(plane, z, Z[k])
-        most = 0.0
+        difference = change(plane, z, Z[k])
+        largest = 0.0
         for j in range(len(z)):
-            most = max(most, abs(apart[j] * plane[4][j]))
-        if most <= SAME:
+            largest = max(largest, abs(difference[j] * plane[4][j]))
+        if largest <= SAME:
             return int(k)
         k = others[k]
     i, j = divmod(point, len(A))
@@ -160,10 +160,10 @@ def number_of(
 def around(links: Any, k: int, side: int) -> int:
     """Return the neighbour of orbit k on a side if it is known by a detour; else -1."""
     for turn in (0, 1) if side > 1 else (2, 3):
-        one = links[k, turn]
-        two = links[one, side] if one >= 0 else -1
-        if two >= 0 and links[two, turn ^ 1] >= 0:
-            return int(links[two, turn ^ 1])
+        beside = links[k, turn]
+        beyond = links[beside, side] if beside >= 0 else -1
+        if beyond >= 0 and links[beyond, turn ^ 1] >= 0:
+            return int(links[beyond, turn ^ 1])
     return -1
 
 
@@ -186,10 +186,10 @@ def sown(
             continue
         for i in np.flatnonzero(np.abs(B - b) < wide):
             for j in np.flatnonzero(np.abs(A - a) < A[1] - A[0]):
-                ok, there = continued(plane, z, sign, (a, b), (A[j], B[i]), np.zeros(n))
-                if ok:
+                arrived, orbit = continued(plane, z, sign, (a, b), (A[j], B[i]), np.zeros(n))
+                if arrived:
                     point = int(i) * len(A) + int(j)
-                    k = number_of(plane, table, A, B, point, there, sign, count, orbits)
+                    k = number_of(plane, table, A, B, point, orbit, sign, count, orbits)
                     count += 1 if k == count else 0
     return count
 
@@ -223,10 +223,10 @@ def fill(
                 behind, slope = links[begin, side ^ 1], np.zeros(Z.shape[1])
                 if behind >= 0:
                     slope = change(plane, Z[begin], Z[behind])
-                here, there = (A[j], B[i]), (A[jj], B[ii])
-                ok, z = continued(plane, Z[begin], signs[begin], here, there, slope)
+                start, goal = (A[j], B[i]), (A[jj], B[ii])
+                converged, z = continued(plane, Z[begin], signs[begin], start, goal, slope)
                 point = ii * len(A) + jj
-                if ok:
+                if converged:
                     sign = signs[begin]
                     k = number_of(plane, table, A, B, point, z, sign, count, orbits)
                     count += 1 if k == count else 0

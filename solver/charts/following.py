@@ -31,10 +31,10 @@ def monitors_at(plane: Any, table: Any, y: Vector) -> Vector:
     n = len(y) - 2
     border, extremes, maps = np.zeros(n + 1), np.empty((2, 2)), np.empty((2, 0, 0))
     border[n] = 1.0
-    _, found = tangent_and_monitors(
+    _, values = tangent_and_monitors(
         row_of(plane, y[n + 1]), table, y[: n + 1], border, extremes, maps
     )
-    monitors: Vector = found
+    monitors: Vector = values
     return monitors
 
 
@@ -50,9 +50,9 @@ def bordered_jacobian(
 ) -> None:
     """Fill J with the Jacobian of `residuals` in scaled coordinates, bordered by a row."""
     n, weights = len(y) - 2, plane[4]
-    first = np.empty((n, n + 1))
-    jacobian_along(row_of(plane, y[n + 1]), y[:n], y[n], first)
-    J[:n, : n + 1] = first
+    jacobian = np.empty((n, n + 1))
+    jacobian_along(row_of(plane, y[n + 1]), y[:n], y[n], jacobian)
+    J[:n, : n + 1] = jacobian
     above, below = np.empty(n), np.empty(n)
     residual_along(row_of(plane, y[n + 1] + DIFFERENCE), y[:n], y[n], above)
     residual_along(row_of(plane, y[n + 1] - DIFFERENCE), y[:n], y[n], below)
@@ -62,9 +62,9 @@ def bordered_jacobian(
         weight = weights[j] if j < n else 1.0
         ends = np.empty(2)
         for k in range(2):
-            other = y.copy()
-            other[j] += (1 - 2 * k) * DIFFERENCE / weight
-            ends[k] = monitors_at(plane, table, other)[monitor]
+            moved = y.copy()
+            moved[j] += (1 - 2 * k) * DIFFERENCE / weight
+            ends[k] = monitors_at(plane, table, moved)[monitor]
         for i in range(n):
             J[i, j] /= weight
         J[n, j], J[n + 1, j] = (ends[0] - ends[1]) / (2 * DIFFERENCE), border[j]

@@ -35,8 +35,8 @@ class Stretch:
     @property
     def middle(self) -> Vector:
         """The unknowns of the orbit in the middle."""
-        found: Vector = self.points[len(self.points) // 2, :-2]
-        return found
+        unknowns: Vector = self.points[len(self.points) // 2, :-2]
+        return unknowns
 
 
 @dataclass(frozen=True)
@@ -69,10 +69,10 @@ def line_of(case: Case, names: tuple[str, str], bounds: Bounds, across: int) -> 
     along = 1 - across
     stretches: list[Stretch] = []
     happened: list[Happening] = []
-    for both in every_way(case, names[along], bounds[along], VALUES, {"branch-point"}):
-        if both.course is None or both.course.cycles == case.cycles:
-            stretches += _stretches(case.values[names[across]], both, across)
-            happened += _happenings(case.values[names[across]], both, across)
+    for followed in every_way(case, names[along], bounds[along], VALUES, {"branch-point"}):
+        if followed.course is None or followed.course.cycles == case.cycles:
+            stretches += _stretches(case.values[names[across]], followed, across)
+            happened += _happenings(case.values[names[across]], followed, across)
     return stretches, happened
 
 
@@ -82,22 +82,22 @@ def _stretches(value: float, both: BothWays, across: int) -> Iterator[Stretch]:
         if points:
             piece, place = points[len(points) // 2]
             middle = piece.case.with_value(piece.name, piece.value(place.y))
-            found = [_point(value, piece, place, across) for piece, place in points]
-            yield Stretch(piece.course, middle, np.array(found))
+            rows = [_point(value, piece, place, across) for piece, place in points]
+            yield Stretch(piece.course, middle, np.array(rows))
 
 
 def _happenings(value: float, both: BothWays, across: int) -> Iterator[Happening]:
-    for found in both.events():
-        if found.monitor >= 0:
-            point = _point(value, found.piece, found.place, across)
-            yield Happening(found.kind, found.piece.course, monitor_of(found), point, across)
+    for event in both.events():
+        if event.monitor >= 0:
+            point = _point(value, event.piece, event.place, across)
+            yield Happening(event.kind, event.piece.course, monitor_of(event), point, across)
 
 
 def _point(value: float, piece: Piece, place: Place, across: int) -> Vector:
     """Return the unknowns of an orbit and both parameters, in SI units."""
-    where = [piece.value(place.y), value]
+    parameters = [piece.value(place.y), value]
     y: Vector = place.y[:-1] * piece.sizes[:-1]
-    return np.concatenate([y, where if across == 1 else where[::-1]])
+    return np.concatenate([y, parameters if across == 1 else parameters[::-1]])
 
 
 def monitor_of(found: Found) -> Monitor:

@@ -67,14 +67,14 @@ class Plane:
         """
         course = replace(course, units=case.units)
         cell = course.cell(case.numbers)
-        own = z / course.sizes(cell, case)
-        rows = tuple(course.rows(case.numbers, own))
+        unknowns = z / course.sizes(cell, case)
+        rows = tuple(course.rows(case.numbers, unknowns))
         series = _series(course, case, indices, bounds, rows)
-        table = course.table(case.numbers, own, rows)
+        table = course.table(case.numbers, unknowns, rows)
         points = product(*(q.some() for q in _intervals(case, indices, bounds)))
         others = (course.cell(_with(case, indices, point)) for point in points)
-        whole = course.framed(cell, own, series, others)
-        return cls(course, case, indices, bounds, whole, rows, table)
+        equations = course.framed(cell, unknowns, series, others)
+        return cls(course, case, indices, bounds, equations, rows, table)
 
     @cached_property
     def sizes(self) -> Vector:
@@ -89,8 +89,8 @@ class Plane:
     def inside(self, found: Matrix) -> Matrix:
         """Return unknowns and parameters on the plane from those in SI units."""
         ends = enumerate(self.bounds)
-        where = ((2 * found[:, i - 2] - sum(q)) / (q[1] - q[0]) for i, q in ends)
-        return np.column_stack([found[:, :-2] / self.sizes, *where])
+        coordinates = ((2 * found[:, i - 2] - sum(q)) / (q[1] - q[0]) for i, q in ends)
+        return np.column_stack([found[:, :-2] / self.sizes, *coordinates])
 
     def values(self, y: Vector) -> tuple[float, float]:
         """Return the parameters of an orbit of the plane in SI units."""
@@ -102,10 +102,10 @@ class Plane:
         if self.course.endless:
             return None
         names = (self.case.scene.parameters[i].name for i in self.indices)
-        given = dict(self.case.values) | dict(zip(names, self.values(y), strict=True))
-        case = self.course.case(Case(self.case.scene, given, self.case.cycles))
-        own = self.course.sizes(self.course.cell(case.numbers), case)
-        return self.course.orbit(case, y[:-2] * self.sizes / own)
+        values = dict(self.case.values) | dict(zip(names, self.values(y), strict=True))
+        case = self.course.case(Case(self.case.scene, values, self.case.cycles))
+        sizes = self.course.sizes(self.course.cell(case.numbers), case)
+        return self.course.orbit(case, y[:-2] * self.sizes / sizes)
 
 
 def _intervals(case: Case, indices: tuple[int, int], bounds: Bounds) -> list[Interval]:
@@ -128,20 +128,20 @@ def _series(
     cell = course.cell(case.numbers)
     blocks = course.blocks(cell, course.forms(case.numbers, rows, cell))
     for terms in TERMS:
-        at, table = chebyshev(terms)
+        nodes, table = chebyshev(terms)
         values = []
-        for point in product(*(map(q.value, at) for q in intervals)):
+        for point in product(*(map(q.value, nodes) for q in intervals)):
             numbers = _with(case, indices, point)
             cell = course.cell(numbers)
             values.append(course.entries(cell, course.forms(numbers, rows, cell)))
         grid = np.array(values).T.reshape(-1, terms, terms)
-        found = table @ grid @ table.T
+        coefficients = table @ grid @ table.T
         largest = of_blocks(np.abs(grid).max(axis=(1, 2)), blocks)[:, None, None]
-        found[np.abs(found) <= terms * ROUNDING * largest] = 0.0
-        if not (found[:, -1:].any() or found[:, :, -1:].any()):
-            used = [np.flatnonzero(found.any(axis=i))[-1] + 1 for i in ((0, 2), (0, 1))]
+        coefficients[np.abs(coefficients) <= terms * ROUNDING * largest] = 0.0
+        if not (coefficients[:, -1:].any() or coefficients[:, :, -1:].any()):
+            used = [np.flatnonzero(coefficients.any(axis=i))[-1] + 1 for i in ((0, 2), (0, 1))]
             first, second = (max(2, int(count)) for count in used)
-            return np.ascontiguousarray(found[:, :first, :second])
+            return np.ascontiguousarray(coefficients[:, :first, :second])
     names = [case.scene.parameters[i].name for i in indices]
     over = [f"from {low:g} to {high:g}" for low, high in bounds]
     words = f"{names[0]}: got values {over[0]}, and of {names[1]} {over[1]}, over which the"
