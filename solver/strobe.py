@@ -87,8 +87,8 @@ def diagram(
     for each in cases:
         machine = machine_of(each.cell)
         start = _taken(each, machine, last)
-        found, last = _followed(each, machine, start, transient + cycles)
-        states.append(found[transient + 1 :])
+        strobed, last = _followed(each, machine, start, transient + cycles)
+        states.append(strobed[transient + 1 :])
         seen(each.values[parameter])
     return Diagram(case, parameter, tuple(q.values[parameter] for q in cases), tuple(states))
 
@@ -133,8 +133,8 @@ def basins(
     whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
     xs, vs = map(_axis, ("x", "v"), (x, v), _units(case.of_fullest())[:2])
     whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
-    case, each = case.of_fullest(), map if executor is None else executor.map
-    rows = each(_tails, repeat(case), repeat(xs), vs, repeat(cycles))
+    case, mapping = case.of_fullest(), map if executor is None else executor.map
+    rows = mapping(_tails, repeat(case), repeat(xs), vs, repeat(cycles))
     tails = []
     for value, row in zip(vs, rows, strict=True):
         tails.append(row)
@@ -150,15 +150,15 @@ def _tails(case: Case, xs: Vector, v: float, cycles: int) -> Matrix:
 
     Not a number where no phase takes the start, or the motion ends.
     """
-    machine, units, kept = machine_of(case.cell), _units(case)[:2], 2 * LONGEST + 1
-    found = np.full((len(xs), kept, 2), np.nan)
+    machine, units, count = machine_of(case.cell), _units(case)[:2], 2 * LONGEST + 1
+    tails = np.full((len(xs), count, 2), np.nan)
     for i, x in enumerate(xs):
         start: AnyState = machine.released(float(x / units[0]), float(v / units[1]), 0.0)
         if machine.first(start) is not None:
             states, last = _followed(case, machine, start, cycles)
             if last is not None:
-                found[i] = states[-kept:, :2]
-    return found
+                tails[i] = states[-count:, :2]
+    return tails
 
 
 def _classified(
@@ -170,7 +170,7 @@ def _classified(
     may decay by as little as `decay` in a period of the forcing.
     """
     rows, columns, _, _ = tails.shape
-    found: list[Attractor] = []
+    attractors: list[Attractor] = []
     index = np.full((rows, columns), -2, dtype=np.int64)
     for i in range(rows):
         for j in range(columns):
@@ -184,17 +184,17 @@ def _classified(
             if period is None:
                 index[i, j] = -1
                 continue
-            same = (
+            alike = (
                 k
-                for k, other in enumerate(found)
+                for k, other in enumerate(attractors)
                 if other.cycles == period
                 and np.abs(np.array(other.states) / sizes - tail[-1]).max(axis=1).min() <= ONE
             )
-            index[i, j] = next(same, len(found))
-            if index[i, j] == len(found):
+            index[i, j] = next(alike, len(attractors))
+            if index[i, j] == len(attractors):
                 states = tails[i, j][-period:]
-                found.append(Attractor(period, tuple(map(tuple, states.tolist()))))
-    return tuple(found), index
+                attractors.append(Attractor(period, tuple(map(tuple, states.tolist()))))
+    return tuple(attractors), index
 
 
 def _period(tail: Matrix, decay: float) -> int | None:
@@ -213,12 +213,12 @@ def _followed(
 
     That is None where the motion ends before.
     """
-    seen = _units(case)
+    shown = _units(case)
     if start is None:
-        return np.empty((0, len(seen))), None
-    own = units_of(case, machine) if isinstance(machine, BodyMachine) else seen
-    found = machine.strobed(start, cycles)[0] * own
-    return found[:, : len(seen)], found[-1] if len(found) == cycles + 1 else None
+        return np.empty((0, len(shown))), None
+    units = units_of(case, machine) if isinstance(machine, BodyMachine) else shown
+    states = machine.strobed(start, cycles)[0] * units
+    return states[:, : len(shown)], states[-1] if len(states) == cycles + 1 else None
 
 
 def _taken(case: Case, machine: Machine, last: Vector | None) -> AnyState:
@@ -254,9 +254,9 @@ def _several(name: str, values: Iterable[float]) -> list[float]:
 
 
 def _axis(name: str, values: Sequence[float], unit: float) -> Vector:
-    found = _several(name, values)
-    within = (is_number(value) and math.isfinite(float(value) / float(unit)) for value in found)
-    if not found or not all(within):
+    items = _several(name, values)
+    within = (is_number(value) and math.isfinite(float(value) / float(unit)) for value in items)
+    if not items or not all(within):
         expected = "finite numbers, within float64 in the units of the scene"
         raise ValueError(f"{name}: got {values!r:.80}, expected {expected}")
-    return np.array(found, dtype=float)
+    return np.array(items, dtype=float)
