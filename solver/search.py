@@ -69,15 +69,15 @@ class Search:
             If none does; with the reason for each.
         """
         for times in self.starts():
-            found = self.orbit(times)
-            if found is not None:
-                return found
+            orbit = self.orbit(times)
+            if orbit is not None:
+                return orbit
         name = f"{self.case.scene.label}, {self.kernel.method}, N = {self.order}"
         words = "; ".join([f"{name}: no admissible orbit was found", *self._what_else()])
         tried = tuple(dict.fromkeys(self.tried))
-        shown = shown_to_be_none(self.case, tried)
-        shown = shown or self.case.none(self.method, self.order, tried)
-        error = shown or NoOrbit(words, False, tried)
+        proven = shown_to_be_none(self.case, tried)
+        proven = proven or self.case.none(self.method, self.order, tried)
+        error = proven or NoOrbit(words, False, tried)
         error.iterations = self.iterations
         raise error
 
@@ -117,10 +117,10 @@ class Search:
 
     def orbit(self, times: Vector) -> Orbit | None:
         """Return the orbit to which Newton's method leads from times; None if to none."""
-        found = self.note(attempt(self.kernel, self.case, self.order, times, self.functions))
-        if not found.confirmed:
-            found = self.less_smooth(found, times)
-        return found if found.confirmed else None
+        orbit = self.note(attempt(self.kernel, self.case, self.order, times, self.functions))
+        if not orbit.confirmed:
+            orbit = self.less_smooth(orbit, times)
+        return orbit if orbit.confirmed else None
 
     def note(self, found: Solution) -> Orbit:
         """Return a result with the iterations of all starts; if it failed, note the reason."""
@@ -136,8 +136,8 @@ class Search:
         """
         self.iterations += found.outcome.iterations
         why = "" if found.converged else found.outcome.reason
-        whole = isinstance(found, Orbit)
-        why = why or "; ".join(found.violations if whole else found.own_violations)
+        complete = isinstance(found, Orbit)
+        why = why or "; ".join(found.violations if complete else found.own_violations)
         if why:
             self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
 
@@ -151,10 +151,10 @@ class Search:
         if name is None:
             return failed
         kernel = registry.kernel(self.case.scene, name)
-        found = self.note(attempt(kernel, self.case, failed.order, times))
-        there = kernel.times(found.unknowns)
-        if found.converged and is_singular(self.kernel, self.case, failed.order, there):
-            return found
+        orbit = self.note(attempt(kernel, self.case, failed.order, times))
+        orbit_times = kernel.times(orbit.unknowns)
+        if orbit.converged and is_singular(self.kernel, self.case, failed.order, orbit_times):
+            return orbit
         return failed
 
     def starts(self) -> Iterator[Vector]:
@@ -181,20 +181,20 @@ class Search:
         """Yield the times of coarse orbits, from rough times; without the method, these."""
         scene = self.case.scene
         available = FIRST in registry.methods(scene)
-        once = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
-        method = once or FIRST
+        class_one = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
+        method = class_one or FIRST
         waves = WAVES * (self.case.cycles - 1)
         orders = [q + waves for q in COARSE] if available else COARSE[:1]
-        ways = product(orders, rough_times(self.case.cell))
-        for order, rough in islice(ways, PATIENCE if known(self.case).listed else None):
+        trials = product(orders, rough_times(self.case.cell))
+        for order, rough in islice(trials, PATIENCE if known(self.case).listed else None):
             if not available:
                 yield rough
                 continue
             self.words = rough.words
-            found = _coarse_orbit(self.case, method, order, tuple(self._vector(rough)))
-            self.count(found)
-            if found.converged and not found.own_violations:
-                yield RoughTimes(tuple(found.cell_durations), found.angle, rough.words)
+            coarse = _coarse_orbit(self.case, method, order, tuple(self._vector(rough)))
+            self.count(coarse)
+            if coarse.converged and not coarse.own_violations:
+                yield RoughTimes(tuple(coarse.cell_durations), coarse.angle, rough.words)
 
     def _vector(self, times: RoughTimes) -> Vector:
         """Return times as a vector: durations and, with a forcing, its phase."""
