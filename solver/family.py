@@ -109,17 +109,17 @@ def family(
     count = number_of_functions(case, name, None) if wanted is None else wanted
     kernel = registry.kernel(scene, name, count)
     number = check_order(kernel, ORDER if order is None else order)
-    found = _Rows(parameter, name, number, count, tuple(cases))
+    rows = _Rows(parameter, name, number, count, tuple(cases))
     try:
-        for row in found.each():
+        for row in rows.each():
             progress(row)
     except KeyboardInterrupt:
-        if not found.done:
+        if not rows.done:
             raise
-        count = len({row.value for row in found.done})
+        count = len({row.value for row in rows.done})
         words = f"{count} of {len(cases)} values are done"
-        raise Interrupted(found.family, words) from None
-    return found.family
+        raise Interrupted(rows.family, words) from None
+    return rows.family
 
 
 @dataclass
@@ -167,17 +167,17 @@ class _Rows:
 
     def _follow(self, exact: ExactOrbit) -> None:
         """Follow the branch of an orbit through all values."""
-        values = [each.values[self.parameter] for each in self.cases]
+        values = [case.values[self.parameter] for case in self.cases]
         bounds = min(values), max(values)
         if bounds[0] == bounds[1]:
             return
-        found = BothWays(index_of(exact.case, self.parameter))
+        followed = BothWays(index_of(exact.case, self.parameter))
         try:
-            start = start_of(exact, found.index, bounds)
+            start = start_of(exact, followed.index, bounds)
         except ArithmeticError:  # the orbit is not isolated
             return
-        self.branches.append(found)
-        go(found, start, PART)
+        self.branches.append(followed)
+        go(followed, start, PART)
 
 
 def _same(orbit: Orbit, row: FamilyRow) -> bool:
