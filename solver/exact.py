@@ -66,14 +66,14 @@ def exact_orbit(
     if len(durations):
         return _of_motion(case, durations, forcing_phase)
     try:
-        found = next(iter(known_orbits(case)), None) or of_any_motion(case, _of_motion)
+        orbit = next(iter(known_orbits(case)), None) or of_any_motion(case, _of_motion)
     except NoOrbit:
-        other = settled_orbit(case)
-        if other is None:
+        settled = settled_orbit(case)
+        if settled is None:
             raise
-        return other
-    unstable = case.scene.motion is None and is_stable(found) is False
-    return (settled_orbit(case, beside=True) if unstable else None) or found
+        return settled
+    unstable = case.scene.motion is None and is_stable(orbit) is False
+    return (settled_orbit(case, beside=True) if unstable else None) or orbit
 
 
 def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
@@ -85,8 +85,8 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
     if case.scene.motion is not None:
         return None
     starts = chain(_declared(case) if beside else (), settled_cases(case))
-    found = (from_times(each, times) for each, times in starts)
-    orbits = (_by_half(q) for q in found if q.outcome.converged and q.admissible)
+    trials = (from_times(each, times) for each, times in starts)
+    orbits = (_by_half(q) for q in trials if q.outcome.converged and q.admissible)
     return next((q for q in orbits if not beside or is_stable(q) is not False), None)
 
 
@@ -99,15 +99,15 @@ def _by_half(orbit: ExactOrbit) -> ExactOrbit:
     if not isinstance(scene, OrderedScene) or orbit.case.cycles % 2 == 0:
         return orbit
     order = half_if_mirrored(scene.base.cell(orbit.case.numbers), scene.order)
-    first, other = durations[: len(order.steps)], durations[len(order.steps) :]
-    if order == scene.order or np.abs(first - other).max() > SAME * durations.sum():
+    first, second = durations[: len(order.steps)], durations[len(order.steps) :]
+    if order == scene.order or np.abs(first - second).max() > SAME * durations.sum():
         return orbit
     half = declared_as(scene.base, order) or in_order(scene.base, order)
     case = Case(half, orbit.case.values, orbit.case.cycles)
-    found = from_times(
+    half_orbit = from_times(
         case, RoughTimes(tuple(map(float, first)), orbit.angle, "half of its times")
     )
-    return found if found.outcome.converged and found.admissible else orbit
+    return half_orbit if half_orbit.outcome.converged and half_orbit.admissible else orbit
 
 
 def _declared(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
@@ -123,12 +123,12 @@ def _of_motion(
     case: Case, durations: Sequence[float] = (), forcing_phase: float = 0.0
 ) -> ExactOrbit:
     """Return the exact orbit of a case of one motion; see `exact_orbit`."""
-    given = _given(case, durations, forcing_phase)
+    guess = _given(case, durations, forcing_phase)
     tried: list[str] = []
     iterations = 0
     patience = PATIENCE if known(case).listed or case.scene.has_body else None
-    found = starts(case, islice(rough_times(case.cell), patience), tried)
-    for start in [given] if given else (times for _, times in found):
+    guesses = starts(case, islice(rough_times(case.cell), patience), tried)
+    for start in [guess] if guess else (times for _, times in guesses):
         orbit = from_times(case, start)
         iterations += orbit.outcome.iterations
         if not orbit.outcome.converged:
@@ -137,10 +137,10 @@ def _of_motion(
             tried.append(f"from {start.words}: {'; '.join(orbit.violations)}")
         else:
             return orbit
-    shown = None if given else shown_to_be_none(case, tried)
+    proven = None if guess else shown_to_be_none(case, tried)
     reason = f"{case.scene.label}: no admissible exact orbit was found"
     words = "; ".join([reason, *not_decided(case), *without_switches(case)])
-    error = shown or NoOrbit(words, False, tuple(tried))
+    error = proven or NoOrbit(words, False, tuple(tried))
     error.iterations = iterations
     raise error
 
@@ -154,12 +154,12 @@ def starts(
     and for bodies, whose rough times `known` has tried, they come alone.  The reason why a
     simulation gives no times is added to `tried`.
     """
-    found, undeclared = known(case), isinstance(case.scene, OrderedScene)
+    knowledge, undeclared = known(case), isinstance(case.scene, OrderedScene)
     looked_at = case.scene.has_body
-    at_hand = ((each.words, each) for each in rough)
-    if not (undeclared or found.none or looked_at):
+    at_hand = ((times.words, times) for times in rough)
+    if not (undeclared or knowledge.none or looked_at):
         yield from at_hand
-    for settled in rough_times_by_simulation(case, FEW if found.listed else PHASES):
+    for settled in rough_times_by_simulation(case, FEW if knowledge.listed else PHASES):
         if settled.times is None:
             tried.append(settled.words)
         else:
