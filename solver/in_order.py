@@ -83,13 +83,13 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
     """
     base = case.of_fullest()
     listed = known(base).listed
-    seen: set[Order] = set()
+    orders: set[Order] = set()
     for settled in from_several_states(base, FEW if listed else PHASES):
         other = settled.other.within(case.cycles) if settled.other else None
-        if other is None or other.order in seen:
+        if other is None or other.order in orders:
             continue
         if settled.conclusive:
-            seen.add(other.order)
+            orders.add(other.order)
         if declared_as(base.scene, other.order) is None:
             scene = in_order(base.scene, other.order)
             yield Case(scene, case.values, case.cycles), other.times
@@ -104,10 +104,10 @@ def choices(base: LoadedScene, name: str) -> list[Step]:
         If there is none.
     """
     plain = name.removeprefix("-")
-    found = [Step(p, name != plain) for p, each in enumerate(base.phases) if each == plain]
-    if not found or (name != plain and not base.half_period):
+    steps = [Step(p, name != plain) for p, phase in enumerate(base.phases) if phase == plain]
+    if not steps or (name != plain and not base.half_period):
         raise UnknownScene(f"phases: got {name!r}, expected {one_of(plain, base.phases)}")
-    return found
+    return steps
 
 
 def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
@@ -135,14 +135,14 @@ def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
 def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
     """Return the sequences of phases that names may mean; all begin with the same phase."""
     signed = any(name.startswith("-") for name in names)
-    found = [choices(base, name) for name in names]
+    alternatives = [choices(base, name) for name in names]
     if base.half_period and not signed:
-        found = [[*own, *(Step(p, True) for p, _ in own)] for own in found]
-    count = math.prod(map(len, found))
+        alternatives = [[*plain, *(Step(p, True) for p, _ in plain)] for plain in alternatives]
+    count = math.prod(map(len, alternatives))
     if not 1 <= len(names) <= MOST_PHASES or count > MOST_WAYS:
         got = f"{len(names)} that may be meant in {count} ways"
         raise UnknownScene(f"phases: got {got}, expected fewer, or a minus before the mirrored")
-    return [steps for steps in product(*found) if steps[0] == found[0][0]]
+    return [steps for steps in product(*alternatives) if steps[0] == alternatives[0][0]]
 
 
 def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:
@@ -153,8 +153,8 @@ def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Itera
 
     def possible(order: Order) -> bool:
         return all(
-            other is not None and may_follow(machine, one, other)
-            for one, other in pairs(machine.cell, order)
+            follower is not None and may_follow(machine, step, follower)
+            for step, follower in pairs(machine.cell, order)
         )
 
     yield from filter(possible, (Order(steps, True) for steps in ways))
