@@ -71,17 +71,17 @@ def solve_case(
 
     declared = (search(exact.case).from_exact(exact) for exact in known_orbits(case))
     try:
-        found = next((orbit for orbit in declared if orbit is not None), None)
-        found = found or of_any_motion(case, lambda each: search(each).run())
+        solution = next((orbit for orbit in declared if orbit is not None), None)
+        solution = solution or of_any_motion(case, lambda each: search(each).run())
     except NoOrbit:
         other = settled()
         if other is None:
             raise
         return other
-    if case.scene.motion is None and is_stable(found) is False:
+    if case.scene.motion is None and is_stable(solution) is False:
         with suppress(NoOrbit):  # the method may not have the stable one
-            return settled(beside=True) or found
-    return found
+            return settled(beside=True) or solution
+    return solution
 
 
 def orbit_beside(
@@ -104,16 +104,16 @@ def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = Non
     UnknownScene
         A `ValueError`: if there is no such order.
     """
-    found = cases_in_order(case, phases, cycles)
-    if len(found) == 1:
-        return found[0]
+    candidates = cases_in_order(case, phases, cycles)
+    if len(candidates) == 1:
+        return candidates[0]
     cases: dict[ExactOrbit, Case] = {}
-    for each in found:
+    for candidate in candidates:
         with suppress(NoOrbit):
-            cases[exact_orbit(each)] = each
+            cases[exact_orbit(candidate)] = candidate
         if any(map(is_stable, cases)):
             break
-    return cases[stable_first(cases)[0]] if cases else found[0]
+    return cases[stable_first(cases)[0]] if cases else candidates[0]
 
 
 def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
@@ -160,17 +160,17 @@ def orbits_of(
     method = registry.generic_method(case.scene, method)
     if functions is None:
         functions = number_of_functions(case, method, None)
-    found: list[Orbit] = []
-    for each in case.each_motion:
-        search = search_of(each, method, order, functions)
-        own = [search.from_exact(exact) for exact in known(each).orbits]
-        found += [orbit for orbit in own if orbit is not None]
-        if not known(each).complete and not own:
+    orbits: list[Orbit] = []
+    for motion in case.each_motion:
+        search = search_of(motion, method, order, functions)
+        of_motion = [search.from_exact(exact) for exact in known(motion).orbits]
+        orbits += [orbit for orbit in of_motion if orbit is not None]
+        if not known(motion).complete and not of_motion:
             with suppress(NoOrbit):
-                found.append(search.run())
-    if not found:
+                orbits.append(search.run())
+    if not orbits:
         return [solve_case(case, method, order, functions)]
-    return sorted(found, key=lambda orbit: orbit.stable is not True)
+    return sorted(orbits, key=lambda orbit: orbit.stable is not True)
 
 
 def number_of_functions(case: Case, method: str, wanted: int | None) -> int | None:
