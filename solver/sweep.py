@@ -107,7 +107,7 @@ def _row(case: Case, method: str, order: int, functions: int | None) -> SweepRow
 
 def _several(name: str, values: object, what: str) -> list[Any]:
     """Return values as a list; raise a `ValueError` if they are no sequence, or empty."""
-    found = [*values] if isinstance(values, Iterable) and not isinstance(values, str) else []
-    if not found:
+    items = [*values] if isinstance(values, Iterable) and not isinstance(values, str) else []
+    if not items:
         raise ValueError(f"{name}: got {values!r:.80}, expected {what} in a sequence")
-    return found
+    return items
