@@ -38,22 +38,22 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
     before, after = machine.node(one), machine.node(other)
     if not before.changes_velocity and _numbers(before) == _numbers(after):
         return False
-    there = machine.in_state(machine.number(other))
+    in_state = machine.in_state(machine.number(other))
     known = _known(before, machine.in_state(machine.number(one)))
     if after.phase.held:
-        row = _of_velocity(there, after.phase.speed)
-        if _constant(row, known, there.one) != 0.0:
+        row = _of_velocity(in_state, after.phase.speed)
+        if _constant(row, known, in_state.one) != 0.0:
             return False
         known = np.vstack([known, row])
     for _, form in after.phase.demands:
-        row = _row(there, form)
+        row = _row(in_state, form)
         for _ in range(HIGHEST):
-            left = _constant(row, known, there.one)
-            if left is None or left > 0:
+            constant = _constant(row, known, in_state.one)
+            if constant is None or constant > 0:
                 break
-            if left < 0:
+            if constant < 0:
                 return False
-            row = row @ there.generator
+            row = row @ in_state.generator
     return True
 
 
@@ -83,15 +83,15 @@ def _known(node: Node, there: InState) -> Matrix:
 
 def _constant(row: Vector, known: Matrix, one: int) -> float | None:
     """Return the value of a form where known forms vanish; None if it depends on the state."""
-    moving = [i for i in range(len(row)) if i != one]
+    varying = [i for i in range(len(row)) if i != one]
     sizes = np.abs(known).max(axis=1, keepdims=True)
     scaled = known / np.where(sizes > 0, sizes, 1.0)
-    weights = np.linalg.lstsq(scaled[:, moving].T, row[moving])[0]
-    left = row - weights @ scaled
+    weights = np.linalg.lstsq(scaled[:, varying].T, row[varying])[0]
+    remainder = row - weights @ scaled
     size = max(float(np.abs(row).max()), float(np.abs(weights).max()))
-    if np.abs(left[moving]).max() > ROUNDING * size:
+    if np.abs(remainder[varying]).max() > ROUNDING * size:
         return None
-    return 0.0 if abs(left[one]) <= ROUNDING * size else float(left[one])
+    return 0.0 if abs(remainder[one]) <= ROUNDING * size else float(remainder[one])
 
 
 def not_followed(orbit: "Motion") -> tuple[str, ...]:
@@ -104,30 +104,30 @@ def not_followed(orbit: "Motion") -> tuple[str, ...]:
     if not isinstance(scene, OrderedScene):
         return ()
     machine = machine_of(Case(scene.base, orbit.case.values).cell)
-    found, total = [], np.cumsum(orbit.cell_durations)
-    for p, (one, other) in enumerate(pairs(machine.cell, scene.order)):
-        assert other is not None  # else its cell is refused
-        node, expected = machine.node(one), machine.node(other)
+    reasons, total = [], np.cumsum(orbit.cell_durations)
+    for p, (step, follower) in enumerate(pairs(machine.cell, scene.order)):
+        assert follower is not None  # else its cell is refused
+        node, expected = machine.node(step), machine.node(follower)
         angle = orbit.angle + machine.cell.omega * float(total[p])
         memory = scene.remembered(orbit.memory_values, p)
         end = _end_of(orbit, p, angle, memory)
         if isinstance(end, BodyState):  # on its event without rounding, as in a simulation
-            own = machine.rules.kinds[machine.number(one), ROW]
-            end = on(machine.rules.forms[[own]], end)
-        after = machine.after(one, end)
+            row = machine.rules.kinds[machine.number(step), ROW]
+            end = on(machine.rules.forms[[row]], end)
+        after = machine.after(step, end)
         if after is None or _numbers(after) != _numbers(expected):
             name = "no phase" if after is None else _name(after)
-            found.append(f"where {_name(node)} ends, {name} follows, not {_name(expected)}")
-    return tuple(found)
+            reasons.append(f"where {_name(node)} ends, {name} follows, not {_name(expected)}")
+    return tuple(reasons)
 
 
 def _end_of(orbit: "Motion", p: int, angle: float, memory: tuple[float, ...]) -> AnyState:
     """Return the state in which a phase of an orbit ends."""
     cell, end = orbit.case.cell, np.ones(1)
     if isinstance(cell, BodyCell):
-        own = parts_of(cell)[p].lawful.A
+        matrix = parts_of(cell)[p].lawful.A
         times = np.append(orbit.cell_durations, [orbit.angle] * cell.forced)
-        rows = np.eye(len(own), len(own) + 3 + len(cell.memory))
+        rows = np.eye(len(matrix), len(matrix) + 3 + len(cell.memory))
         y = seen(cell, times, p, end, rows)[:, 0]
         return BodyState(y, angle, memory=memory)
     x, v = (float(orbit.part(p, end, j)[0]) for j in (0, 1))

@@ -48,17 +48,17 @@ def from_linear_response(cell: BodyCell) -> RoughTimes | None:
         return None
     done, step, slope = 0.0, FIRST, np.zeros(len(times))
     for _ in range(MOST):
-        to = min(1.0, done + step)
-        found, easy = _newton(under_part(cell, to**POWER), times + (to - done) * slope)
-        if found is None:
+        part = min(1.0, done + step)
+        following, easy = _newton(under_part(cell, part**POWER), times + (part - done) * slope)
+        if following is None:
             step /= 2
             if step < LEAST:
                 return None
             continue
-        if to == 1:
-            return RoughTimes(tuple(map(float, found[:-1])), float(found[-1]), WORDS)
-        slope, times = (found - times) / (to - done), found
-        done, step = to, step * (2 if easy else 1)
+        if part == 1:
+            return RoughTimes(tuple(map(float, following[:-1])), float(following[-1]), WORDS)
+        slope, times = (following - times) / (part - done), following
+        done, step = part, step * (2 if easy else 1)
     return None
 
 
@@ -100,9 +100,9 @@ def _newton(cell: BodyCell, guess: Vector) -> tuple[Vector | None, bool]:
     except BodyError:  # there is no eigenbasis
         return None, False
     times = kernel.times(outcome.unknowns)
-    near = np.abs(times - guess)[:-1].max() < ASIDE * cell.duration
-    found = outcome.converged and near and times[:-1].min() > 0
-    return times if found else None, outcome.iterations <= EASY
+    is_near = np.abs(times - guess)[:-1].max() < ASIDE * cell.duration
+    succeeded = outcome.converged and is_near and times[:-1].min() > 0
+    return times if succeeded else None, outcome.iterations <= EASY
 
 
 def _crossings(cell: BodyCell) -> Iterator[Vector]:
@@ -110,29 +110,31 @@ def _crossings(cell: BodyCell) -> Iterator[Vector]:
 
     In the middle of each phase the response meets its demands.
     """
-    own, total = free(cell.body, cell.omega, 0), cell.omega * cell.duration
-    along = 1j * cell.omega * np.eye(len(own.A)) - own.A
+    system, total = free(cell.body, cell.omega, 0), cell.omega * cell.duration
+    matrix = 1j * cell.omega * np.eye(len(system.A)) - system.A
     try:
-        y = np.linalg.solve(along, own.inputs[:, 0].astype(complex))
+        y = np.linalg.solve(matrix, system.inputs[:, 0].astype(complex))
     except np.linalg.LinAlgError:  # resonance
         return
-    waves = own.rows @ np.array([*y, 1, -1j, 0])  # cos and sin as parts of e^(i theta)
-    seen = np.column_stack([waves, own.rows[:, -1]])
+    waves = system.rows @ np.array([*y, 1, -1j, 0])  # cos and sin as parts of e^(i theta)
+    response = np.column_stack([waves, system.rows[:, -1]])
     ends, force = [], _force(cell)
     for phase in cell.phases:
-        wave, constant = _at_no_part(phase, phase.event, force) @ seen
+        wave, constant = _at_no_part(phase, phase.event, force) @ response
         if abs(wave) <= abs(constant):
             return
         half = math.acos(-constant.real / abs(wave))
         ends.append((-half - np.angle(wave), half - np.angle(wave)))
     for angles in product(*ends):
         first = angles[-1] - total
-        lasting = np.mod(np.diff([first, *angles]), 2 * math.pi)
-        if lasting.min() <= ROUNDING or abs(lasting.sum() - total) > ROUNDING:
+        spans = np.mod(np.diff([first, *angles]), 2 * math.pi)
+        if spans.min() <= ROUNDING or abs(spans.sum() - total) > ROUNDING:
             continue
-        middles = first + np.cumsum(lasting) - lasting / 2
-        if all(_keeps(q, seen, at, force) for q, at in zip(cell.phases, middles, strict=True)):
-            yield np.array([*(lasting / cell.omega), first % (2 * math.pi)])
+        middles = first + np.cumsum(spans) - spans / 2
+        if all(
+            _keeps(q, response, at, force) for q, at in zip(cell.phases, middles, strict=True)
+        ):
+            yield np.array([*(spans / cell.omega), first % (2 * math.pi)])
 
 
 def _keeps(phase: BodyPhase, seen: Complex, angle: float, force: list[int]) -> bool:
@@ -148,8 +150,8 @@ def _keeps(phase: BodyPhase, seen: Complex, angle: float, force: list[int]) -> b
 def _at_no_part(phase: BodyPhase, form: Form, force: list[int]) -> Vector:
     """Return the leading term of a form as the part tends to 0; forces by their laws."""
     laws, row = np.array(phase.laws), np.array(form)
-    rest, others = laws.copy(), row.copy()
-    rest[:, force] = others[force] = 0
-    if others.any():
-        return others
-    return np.asarray(-row[force] @ np.linalg.solve(laws[:, force], rest))
+    other_laws, other_terms = laws.copy(), row.copy()
+    other_laws[:, force] = other_terms[force] = 0
+    if other_terms.any():
+        return other_terms
+    return np.asarray(-row[force] @ np.linalg.solve(laws[:, force], other_laws))

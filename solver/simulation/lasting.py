@@ -32,8 +32,8 @@ def lasts(phase: Phase, x: float, v: float, omega: float, angle: float) -> bool:
         least = sign * (ex * mean + e0) - turning - abs(ex) * far - abs(ev) * fast
         return least >= -ROUNDING * (abs(ex * mean) + abs(e0) + turning)
 
-    kept = all(positive(form) for _, form in phase.demands)
-    return kept and (positive(phase.event) or positive(phase.event, -1))
+    holds = all(positive(form) for _, form in phase.demands)
+    return holds and (positive(phase.event) or positive(phase.event, -1))
 
 
 def _steady(
@@ -45,12 +45,12 @@ def _steady(
     """
     if phase.held:
         return None if phase.speed else (x, 0j, 0.0, 0.0)
-    m, c, k, found = phase.m, phase.c, phase.k, response(phase, omega)
-    if found is None or c < 0 or k < 0 or c == k == 0:
+    m, c, k, steady = phase.m, phase.c, phase.k, response(phase, omega)
+    if steady is None or c < 0 or k < 0 or c == k == 0:
         return None
-    mean, wave = found
-    now = wave * cmath.exp(1j * angle)
-    h, rate = x - mean - now.real, v - (1j * omega * now).real
+    mean, wave = steady
+    wave_now = wave * cmath.exp(1j * angle)
+    h, rate = x - mean - wave_now.real, v - (1j * omega * wave_now).real
     if k > 0:
         fast = math.hypot(math.sqrt(k / m) * h, rate)
         return mean, wave, math.sqrt(m / k) * fast, fast

@@ -63,8 +63,8 @@ FAMILY = Family(linked, (divided, responses, column, rules, *PARTS), step.step)
 
 def with_arrays(state: AnyState) -> AnyState:
     """Return a state with arrays in place of sequences, as compiled functions take it."""
-    found = (np.array(part, dtype=float) if np.ndim(part) else part for part in state)
-    return type(state)(*found)
+    parts = (np.array(part, dtype=float) if np.ndim(part) else part for part in state)
+    return type(state)(*parts)
 
 
 @dataclass(frozen=True)
@@ -107,8 +107,8 @@ class Machine:
 
     def ending(self, p: int, surface: int) -> Step | None:
         """Return the phase whose event ends phase p on a surface; None if there is none."""
-        found = NONE if surface == NONE else self.rules.endings[p, surface]
-        return None if found == NONE else self.nodes[found].step
+        number = NONE if surface == NONE else self.rules.endings[p, surface]
+        return None if number == NONE else self.nodes[number].step
 
     def has_rest(self, surface: int) -> bool:
         """Whether the scene has a rest at the place of a surface."""
@@ -121,19 +121,19 @@ class Machine:
 
     def first(self, state: AnyState) -> Node | None:
         """Return the phase in which a motion from a state begins; None if none admits it."""
-        found = self.begin(state)
-        return None if found is None else self.nodes[found[0]]
+        start = self.begin(state)
+        return None if start is None else self.nodes[start[0]]
 
     def step(self, p: int, state: AnyState, clock: Clock, most: float) -> Passed:
         """Follow a phase from its start, for a time `most` at most, and cross its switch."""
-        given = self.rules, p, with_arrays(state), clock, most
-        passed: Passed = self.family.call(run.__name__, "step", *given)
+        arguments = self.rules, p, with_arrays(state), clock, most
+        passed: Passed = self.family.call(run.__name__, "step", *arguments)
         return passed
 
     def strobed(self, start: AnyState, cycles: int) -> tuple[Matrix, Integers, int]:
         """Return a motion from a state at each whole turn of the forcing: see `run`."""
-        given = self.rules, with_arrays(start), cycles
-        states, phases, how = self.family.call(run.__name__, "run", *given)
+        arguments = self.rules, with_arrays(start), cycles
+        states, phases, how = self.family.call(run.__name__, "run", *arguments)
         return states, phases, how
 
     def after(self, one: Step, end: AnyState) -> Node | None:
@@ -141,15 +141,15 @@ class Machine:
         p = self.number(one)
         end = self.by("begun", p, end)
         behind = self.by("crossed", p, int(self.rules.kinds[p, ROW]), end)
-        found = self.by("next_phase", p, self.nodes[p].event, end, behind)
-        return None if found == NONE else self.nodes[found]
+        number = self.by("next_phase", p, self.nodes[p].event, end, behind)
+        return None if number == NONE else self.nodes[number]
 
     def in_state(self, p: int) -> InState:
         """Return what forms act on, by the state ``(x, x', 1, cos, sin, memory)``."""
-        more = len(self.cell.memory)
-        rows = np.eye(4 + more, 5 + more, 1)
-        rows[:3] = np.eye(5 + more)[[0, 1, 3]]
-        rows[3] = np.eye(5 + more)[2]
+        memories = len(self.cell.memory)
+        rows = np.eye(4 + memories, 5 + memories, 1)
+        rows[:3] = np.eye(5 + memories)[[0, 1, 3]]
+        rows[3] = np.eye(5 + memories)[2]
         return InState(rows, generator(self.cell, self.nodes[p].phase, 1), 2)
 
     def still(self, angle: float) -> AnyState:
@@ -190,16 +190,16 @@ class Machine:
         Each value is the middle of the interval that the demands of a phase admit; where this
         is unbounded, the value that the start of the phase sets.
         """
-        more = len(self.cell.memory)
-        if not more:
+        count = len(self.cell.memory)
+        if not count:
             return state
-        state = state._replace(memory=tuple(state.memory) or (0.0,) * more)
+        state = state._replace(memory=tuple(state.memory) or (0.0,) * count)
         for p in range(len(self.nodes)):
-            found = self.by("entered", p, state)
-            for i in range(more):
-                found = self._in_the_middle(p, found, i)
-            if self.by("admits", p, found):
-                return found
+            entered = self.by("entered", p, state)
+            for i in range(count):
+                entered = self._in_the_middle(p, entered, i)
+            if self.by("admits", p, entered):
+                return entered
         return state
 
     def _in_the_middle(self, p: int, state: AnyState, i: int) -> AnyState:
@@ -218,16 +218,16 @@ class Machine:
 
     def unmet(self, state: AnyState) -> str:
         """Return in words why no phase admits a state."""
-        found = []
+        reasons = []
         for p, q in enumerate(self.nodes):
-            at, first = self.by("local_of", p, state), int(self.rules.kinds[p, ROW]) + 1
+            local, first = self.by("local_of", p, state), int(self.rules.kinds[p, ROW]) + 1
             demands = enumerate((words for words, _ in q.phase.demands), first)
-            words = [w for row, w in demands if self.by("sign_of", at, row, state) < 0]
+            words = [w for row, w in demands if self.by("sign_of", local, row, state) < 0]
             if words:
-                found.append(f"in {q.phase.name} not true that {words[0]}")
+                reasons.append(f"in {q.phase.name} not true that {words[0]}")
             elif q.phase.held:
-                found.append(f"the velocity or the place is not that of {q.phase.name}")
-        return "; ".join(dict.fromkeys(found))
+                reasons.append(f"the velocity or the place is not that of {q.phase.name}")
+        return "; ".join(dict.fromkeys(reasons))
 
     def recorded(self, p: int, state: AnyState, t: Fraction, s: float, surface: int) -> Segment:
         """Return a phase that was followed as a segment of the record."""

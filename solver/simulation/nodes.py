@@ -56,14 +56,14 @@ class Node:
 
 def nodes(cell: Cell) -> tuple[Node, ...]:
     """Return the phases that a motion of a cell can be in, in cyclic order."""
-    found = [(cell.carrying(p), p, False) for p in range(len(cell.phases))]
+    phases = [(cell.carrying(p), p, False) for p in range(len(cell.phases))]
     if cell.sign < 0:
-        found += [(mirror(phase), p, True) for phase, p, _ in found]
+        phases += [(mirror(phase), p, True) for phase, p, _ in phases]
     surfaces: list[Form] = []
 
     def surface(form: Form) -> int:
-        known = (i for i, other in enumerate(surfaces) if same(form, other))
-        number = next(known, len(surfaces))
+        matches = (i for i, other in enumerate(surfaces) if same(form, other))
+        number = next(matches, len(surfaces))
         if number == len(surfaces):
             surfaces.append(form)
         return number
@@ -73,7 +73,7 @@ def nodes(cell: Cell) -> tuple[Node, ...]:
             phase, index, mirrored, surface(phase.event),
             tuple(surface(form) for _, form in phase.demands),
         )
-        for phase, index, mirrored in found
+        for phase, index, mirrored in phases
     )  # fmt: skip
 
 
@@ -102,8 +102,8 @@ def turns(nodes: Sequence[Node]) -> list[list[int]]:
     """
     phases = range(len(nodes))
     first = [p for p in phases if nodes[p].phase.held and nodes[p].phase.demands]
-    ways = [*([p, *phases] for p in phases), [*phases]]
-    return [list(dict.fromkeys([q for q in way if q in first] + way)) for way in ways]
+    orders = [*([p, *phases] for p in phases), [*phases]]
+    return [list(dict.fromkeys([q for q in order if q in first] + order)) for order in orders]
 
 
 def walls(nodes: Sequence[Node]) -> list[int]:

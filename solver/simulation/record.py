@@ -196,8 +196,8 @@ class Simulation(Tabular):
     @property
     def quantities(self) -> tuple[str, ...]:
         """Names of the quantities that the motion has at any time."""
-        found = ("displacement", "velocity", "acceleration")
-        return (*found, "force") if self.case.scene.has_body else found
+        names = ("displacement", "velocity", "acceleration")
+        return (*names, "force") if self.case.scene.has_body else names
 
     def _of(self, q: Segment, s: Vector, number: int) -> Vector:
         """Return one of the `quantities` in a phase at local times, in SI units."""
@@ -213,12 +213,12 @@ class Simulation(Tabular):
             raise ValueError(f"t: got {t!r:.80}, expected times from 0 to {self.time:.6g} s")
         local = times.clip(0.0, self.time).ravel() / self.case.units.time
         starts = np.array([float(q.t) for q in self.segments])
-        which = np.searchsorted(starts, local, side="right") - 1
+        indices = np.searchsorted(starts, local, side="right") - 1
         values = np.empty(len(local))
-        for index in np.unique(which):
-            q, here = self.segments[index], which == index
-            s = np.clip(local[here] - starts[index], 0.0, q.s)
-            values[here] = self._of(q, s, number)
+        for index in np.unique(indices):
+            q, chosen = self.segments[index], indices == index
+            s = np.clip(local[chosen] - starts[index], 0.0, q.s)
+            values[chosen] = self._of(q, s, number)
         return values.reshape(times.shape)
 
     def samples(self, points: float = 100) -> list[tuple[Vector, ...]]:
@@ -230,12 +230,12 @@ class Simulation(Tabular):
             About how many for each shortest period of the motion.  The start and the end of a
             phase are always among them; the values at an end are those before the switch.
         """
-        cell, unit, found = self.case.cell, self.case.units.time, []
+        cell, unit, samples = self.case.cell, self.case.units.time, []
         for q in self.segments:
             s = q.s * np.linspace(0.0, 1.0, 3 + math.ceil(points * q.s / q.wave(cell.omega)))
             values = (self._of(q, s, number) for number in range(len(self.quantities)))
-            found.append(((float(q.t) + s) * unit, *values))
-        return found
+            samples.append(((float(q.t) + s) * unit, *values))
+        return samples
 
     def as_dict(self) -> dict[str, Any]:
         """Return the motion as the document that ``simulate --json`` writes."""
@@ -292,8 +292,8 @@ class Simulation(Tabular):
         At a switch there are two rows: before it, and after it.
         """
         samples = self.samples()
-        found = map(np.concatenate, zip(*samples, strict=True))
-        columns = dict(zip(("t", *self.quantities), found, strict=True))
+        arrays = map(np.concatenate, zip(*samples, strict=True))
+        columns = dict(zip(("t", *self.quantities), arrays, strict=True))
         columns["phase"] = np.repeat(np.arange(len(samples)), [len(q[0]) for q in samples])
         about = {"scene": self.case.scene.name, "time": self.time, "ended": self.ended}
         return Table(("t",), columns, COURSE | {"force": "N"}, about | dict(self.case.values))

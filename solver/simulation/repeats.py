@@ -45,23 +45,23 @@ def whole(machine: Machine, repeated: tuple[Segment, ...]) -> tuple[Segment, ...
     begins = [i for i, (one, two) in enumerate(pairs) if not _goes_on(machine, one, two)]
     if not begins:
         return ()
-    found: list[Segment] = []
+    joined: list[Segment] = []
     for i in range(begins[0], begins[0] + len(repeated)):
-        own = repeated[i % len(repeated)]
+        segment = repeated[i % len(repeated)]
         if i % len(repeated) in begins:
-            found.append(own)
+            joined.append(segment)
         else:
-            found[-1] = replace(found[-1], s=found[-1].s + own.s, step=own.step)
-    return tuple(found)
+            joined[-1] = replace(joined[-1], s=joined[-1].s + segment.s, step=segment.step)
+    return tuple(joined)
 
 
 def _goes_on(machine: Machine, one: Segment, two: Segment) -> bool:
     """Whether nothing changes where one phase ends and the next begins."""
-    if one.step is None or any(each.phase == two.index for each in machine.cell.memory):
+    if one.step is None or any(memory.phase == two.index for memory in machine.cell.memory):
         return False
     node = machine.node(one.step)
-    same = node.equation == machine.node(two.began).equation
-    return same and not node.changes_velocity
+    equal = node.equation == machine.node(two.began).equation
+    return equal and not node.changes_velocity
 
 
 def repeated(
@@ -75,21 +75,21 @@ def repeated(
     """
     *done, cut = segments
     for length in range(1, len(done) // 3 + 1):
-        again = tuple(done[-length:])
+        tail = tuple(done[-length:])
         passed = done[-1].t - done[-1 - length].t
         turns = passed / cycle(cell)
         if turns > MOST + NEAR:
             return None
-        full = abs(turns - round(turns)) <= max(NEAR, rough)
-        if cell.forced and not (round(turns) and full):
+        is_whole = abs(turns - round(turns)) <= max(NEAR, rough)
+        if cell.forced and not (round(turns) and is_whole):
             continue
-        near = rough or NEAR * -math.expm1(-slowest_decay(cell) * passed)
-        size = min(1.0, max(max(map(abs, q.state)) for q in again))
+        tolerance = rough or NEAR * -math.expm1(-slowest_decay(cell) * passed)
+        size = min(1.0, max(max(map(abs, q.state)) for q in tail))
         pairs = zip(done[-2 * length :], done[-3 * length : -length], strict=True)
-        if all(_same(one, two, near, size) for one, two in pairs) and (
-            _equation(cell, cut) == _equation(cell, again[0]) and cut.s <= again[0].s + NEAR
+        if all(_same(one, two, tolerance, size) for one, two in pairs) and (
+            _equation(cell, cut) == _equation(cell, tail[0]) and cut.s <= tail[0].s + NEAR
         ):
-            return again
+            return tail
     return None
 
 

@@ -81,9 +81,9 @@ class Other:
         A motion that approaches an orbit from alternating sides is first seen to repeat after
         two of its periods.
         """
-        parts, left = divmod(self.cycles, cycles)
-        if left or parts < 2:
-            return None if left else self
+        parts, remainder = divmod(self.cycles, cycles)
+        if remainder or parts < 2:
+            return None if remainder else self
         count = len(self.order.steps) // parts
         steps = self.order.steps[:count]
         if self.order.half_period or steps * parts != self.order.steps:
@@ -116,10 +116,10 @@ def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
     ordered = case.scene if isinstance(case.scene, OrderedScene) else None
     declared = declared_order(base)
     order = ordered.order if ordered else declared
-    own = settled.other.within(case.cycles) if settled.other else None
+    other = settled.other.within(case.cycles) if settled.other else None
     times = settled.times if order == declared else None
-    if own is not None and own.order == order:
-        times = own.times
+    if other is not None and other.order == order:
+        times = other.times
     return replace(settled, times=times, other=None if ordered else settled.other)
 
 
@@ -155,15 +155,15 @@ def _followed(case: Case, start: AnyState, most: int) -> Settled:
     segments: list[Segment] = []
     while True:
         # the phase that was cut off is followed anew, to its end
-        more, place, ended = walk(case, machine, place, cycles * cycle(cell), most - spent)
-        segments = segments[:-1] + more
+        followed, place, ended = walk(case, machine, place, cycles * cycle(cell), most - spent)
+        segments = segments[:-1] + followed
         motion = Simulation(case, tuple(segments), ended)
-        windows = (machine.window(machine.number(q.began)) for q in more)
-        spent += sum(effort(window, q.s) for window, q in zip(windows, more, strict=True))
-        found = settled(cell, motion)
-        enough = found.conclusive or motion.ended or spent > most - 1
+        windows = (machine.window(machine.number(q.began)) for q in followed)
+        spent += sum(effort(window, q.s) for window, q in zip(windows, followed, strict=True))
+        outcome = settled(cell, motion)
+        enough = outcome.conclusive or motion.ended or spent > most - 1
         if enough or cycles >= _lasting(cell):
-            return found
+            return outcome
         cycles = min(LONGER * cycles, _lasting(cell))
 
 
@@ -188,8 +188,8 @@ def settled(cell: Cell, motion: Simulation) -> Settled:
     cycles = round((last.t + last.s) / cycle(cell))
     words = f"a simulation of {cycles} cycles does not settle"
     again = repeated(cell, motion.segments, ROUGH)
-    found = Settled(None, words) if again is None else _settled_on(cell, again)
-    return replace(found, words=words, conclusive=False)
+    outcome = Settled(None, words) if again is None else _settled_on(cell, again)
+    return replace(outcome, words=words, conclusive=False)
 
 
 def _settled_on(cell: Cell, again: tuple[Segment, ...]) -> Settled:
@@ -206,22 +206,22 @@ def _from_the_first(again: tuple[Segment, ...]) -> tuple[Segment, ...]:
 
     If this leaves a choice, with the longest of these.
     """
-    turned = [again[i:] + again[:i] for i in range(len(again))]
-    first = min([q.named for q in each] for each in turned)
-    ways = (each for each in turned if [q.named for q in each] == first)
-    return max(ways, key=lambda each: each[0].s)
+    rotations = [again[i:] + again[:i] for i in range(len(again))]
+    first = min([q.named for q in each] for each in rotations)
+    candidates = (each for each in rotations if [q.named for q in each] == first)
+    return max(candidates, key=lambda each: each[0].s)
 
 
 def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
     """Return the times of a cell if the repeated phases have the declared order, else None."""
-    own = again[: len(cell.phases)]
-    declared = tuple(q.named for q in own) == declared_order(cell).steps
-    if len(again) != len(own) * cell.cells or not declared:
+    segments = again[: len(cell.phases)]
+    declared = tuple(q.named for q in segments) == declared_order(cell).steps
+    if len(again) != len(segments) * cell.cells or not declared:
         return None
-    if cell.forced and abs(sum(q.s for q in own) - cell.duration) > NEAR:
+    if cell.forced and abs(sum(q.s for q in segments) - cell.duration) > NEAR:
         return None
-    words = f"a simulation settles on {', '.join(q.phase.name for q in own)}"
-    return Settled(RoughTimes(tuple(q.s for q in own), own[0].angle, words), words)
+    words = f"a simulation settles on {', '.join(q.phase.name for q in segments)}"
+    return Settled(RoughTimes(tuple(q.s for q in segments), segments[0].angle, words), words)
 
 
 def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
@@ -232,9 +232,9 @@ def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     every = "each period" if count == 1 else f"every {count} periods"
     within = f", in {every} of the forcing" if cell.forced else ""
     why = _no_order(cell, again)
-    found = None if why else _in_order(cell, again, count if cell.forced else 1)
+    other = None if why else _in_order(cell, again, count if cell.forced else 1)
     what = f"phases that are no order, as {why}" if why else "another order of phases"
-    return Settled(None, f"a simulation settles on {what}: {names}{within}", found)
+    return Settled(None, f"a simulation settles on {what}: {names}{within}", other)
 
 
 def _no_order(cell: Cell, own: tuple[Segment, ...]) -> str:

@@ -106,13 +106,13 @@ def _given(case: Case, state: Sequence[float]) -> tuple[float, float]:
     place = _number("state", x, "a finite displacement in m")
     speed = _number("state", v, "a finite velocity in m/s")
     units = case.units
-    found = place / units.length, speed / units.of_motion(1)
-    if not all(map(math.isfinite, found)):
+    numbers = place / units.length, speed / units.of_motion(1)
+    if not all(map(math.isfinite, numbers)):
         expected = (
             f"numbers within float64 in units of {units.length:.3g} m, {units.time:.3g} s"
         )
         raise ValueError(f"state: got {(place, speed)!r}, expected {expected}")
-    return found
+    return numbers
 
 
 def _duration(case: Case, cycles: float | None, time: float | None) -> float:
@@ -120,19 +120,19 @@ def _duration(case: Case, cycles: float | None, time: float | None) -> float:
     if cycles is not None and time is not None:
         raise ValueError(f"time: got {time!r} beside cycles, expected one of them")
     if time is not None:
-        found = _number("time", time, "a positive number of s") / case.units.time
+        duration = _number("time", time, "a positive number of s") / case.units.time
         name, value = "time", time
     else:
-        wanted = CYCLES if cycles is None else cycles
-        found = _number("cycles", wanted, "a positive number") * cycle(case.cell)
-        name, value = "cycles", wanted
-    if not found > 0:
+        count = CYCLES if cycles is None else cycles
+        duration = _number("cycles", count, "a positive number") * cycle(case.cell)
+        name, value = "cycles", count
+    if not duration > 0:
         raise ValueError(f"{name}: got {value!r}, expected a positive number")
-    if found > MOST_CYCLES * cycle(case.cell):
+    if duration > MOST_CYCLES * cycle(case.cell):
         seconds = MOST_CYCLES * cycle(case.cell) * case.units.time
         expected = f"at most {MOST_CYCLES} cycles, which are {seconds:.6g} s"
         raise ValueError(f"{name}: got {value!r}, expected {expected}")
-    return found
+    return duration
 
 
 def cycle(cell: Cell) -> float:

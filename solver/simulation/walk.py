@@ -35,9 +35,9 @@ class Place:
     @classmethod
     def first(cls, machine: Machine, state: AnyState) -> "Place":
         """Return where the motion from a state begins, which some phase must admit."""
-        found = machine.begin(state)
-        assert found is not None
-        p, begun = found
+        beginning = machine.begin(state)
+        assert beginning is not None
+        p, begun = beginning
         return cls(p, begun, at_start(state.angle, machine.cell.omega))
 
 
@@ -77,12 +77,12 @@ def walk(
     ended : str
         Why the motion ends early; empty if it was cut off.
     """
-    whole = Fraction(until)
+    end_time = Fraction(until)
     segments: list[Segment] = []
     while True:
         p, state = place.phase, place.state
         window = machine.window(p)
-        longest = min(max(float(whole - place.t), 0.0), _reach(window, most))
+        longest = min(max(float(end_time - place.t), 0.0), _reach(window, most))
         passed: Any = machine.step(p, state, place.clock, longest)
         s, surface = passed.s, passed.surface
         segments.append(machine.recorded(p, state, place.t, s, surface))
@@ -100,9 +100,9 @@ def walk(
             )
             return segments, place, words
         if passed.away != NONE:
-            left = max(min(passed.left, float(whole - t)), 0.0)
-            segments.append(machine.recorded(passed.away, passed.behind, t, left, NONE))
-            t += Fraction(left)
+            resting = max(min(passed.left, float(end_time - t)), 0.0)
+            segments.append(machine.recorded(passed.away, passed.behind, t, resting, NONE))
+            t += Fraction(resting)
         elif accumulates(_last(segments)) and (passed.left or not machine.has_rest(surface)):
             before, last = segments[-2].s, segments[-1].s
             return segments, place, _chatter(case, segments[-1], end_of(last, before, last))

@@ -85,12 +85,12 @@ def leading(phases: Phases, row: int, Y: Vector, zero: bool) -> int:
     `zero`: the state is known to be on the form's surface, whatever the rounding.
     """
     rates, rounding = phases.forms.rates[row], phases.forms.rounding[row]
-    known_to = rounded(Y, phases.poles.bases.shape[1])
+    errors = rounded(Y, phases.poles.bases.shape[1])
     for order in range(TERMS):
         value = abs(value_of(rates[order], Y))
-        size = size_of(rounding[order], known_to)
-        known = zero and order == 0 and value <= ON_IT * _largest(rates[0], Y)
-        if value > NOISE * size and not known:
+        size = size_of(rounding[order], errors)
+        is_zero = zero and order == 0 and value <= ON_IT * _largest(rates[0], Y)
+        if value > NOISE * size and not is_zero:
             return order
     return TERMS
 
@@ -135,7 +135,7 @@ def along_of(
     by_poles = np.zeros((count, 2, m), np.complex128)
     direct, fixed = np.zeros((count, 2), np.complex128), np.zeros((count, 2))
     orders, rate = np.zeros(count, np.int64), np.zeros(count)
-    turn = complex(float(Y[n]), float(Y[n + 1]))
+    forcing = complex(float(Y[n]), float(Y[n + 1]))
     for f in range(count):
         row, sign = rows[f], float(signs[f])
         rates = phases.forms.rates[row]
@@ -143,7 +143,7 @@ def along_of(
         rate[f] = abs(value_of(rates[min(orders[f], TERMS - 1)], Y))
         for k in range(2):
             up, down = float(rates[k, n]), float(rates[k, n + 1])
-            direct[f, k] = sign * complex(up, -down) * turn
+            direct[f, k] = sign * complex(up, -down) * forcing
             fixed[f, k] = sign * value_of(rates[k, n + 2 :], Y[n + 2 :])
             for i in range(m):
                 by_poles[f, k, i] = sign * complex(phases.forms.by_poles[row, k, i])
@@ -197,23 +197,23 @@ def _parts(modes: Modes, near: Indices) -> tuple[Vector, Vector]:
             for k in range(3):
                 drive[i] += abs(complex(modes.drives[k, i]))
         else:
-            left = complex(modes.start[i])
+            transient = complex(modes.start[i])
             for k in range(3):
-                left -= complex(modes.answers[k, i])
-            own[i] = abs(left)
+                transient -= complex(modes.answers[k, i])
+            own[i] = abs(transient)
     return own, drive
 
 
 def _amounts(modes: Modes, window: float) -> Vector:
     """Return the size of each pole: of its initial value, or of its drive over a time."""
-    found = np.zeros(len(modes.start))
-    for i in range(len(found)):
+    amounts = np.zeros(len(modes.start))
+    for i in range(len(amounts)):
         driven = 0.0
         for k in range(3):
             in_time = abs(complex(modes.drives[k, i])) * window
             driven += min(abs(complex(modes.answers[k, i])), in_time)
-        found[i] = max(abs(complex(modes.start[i])), DRIVEN * driven)
-    return found
+        amounts[i] = max(abs(complex(modes.start[i])), DRIVEN * driven)
+    return amounts
 
 
 def value_at(along: Along, f: int, z: Complex, t: float) -> tuple[float, float]:
@@ -229,30 +229,30 @@ def bounds(along: Along, order: int, t: float, h: float) -> Vector:
 
     Where a body moves freely, one of order 2 or more.
     """
-    modes, most = along.modes, np.zeros(len(along.own))
-    for i in range(len(most)):
+    modes, moduli = along.modes, np.zeros(len(along.own))
+    for i in range(len(moduli)):
         s, drive = complex(modes.poles[i]), float(along.drive[i])
-        grow = exp(complex(min(max(s.real, 0.0) * h, LARGE))).real
+        growth = exp(complex(min(max(s.real, 0.0) * h, LARGE))).real
         decay = exp(complex(min(s.real * t, LARGE))).real
         power = power_of(abs(s), order)
         if not along.near[i]:
-            most[i] = float(along.own[i]) * decay * power * grow
+            moduli[i] = float(along.own[i]) * decay * power * growth
             continue
-        for_long = min(t, 1 / max(-s.real, 1e-300)) * max(decay, 1.0)
-        at_most = (abs(complex(modes.start[i])) * decay + drive * (for_long + h)) * grow
+        lasting = min(t, 1 / max(-s.real, 1e-300)) * max(decay, 1.0)
+        modulus = (abs(complex(modes.start[i])) * decay + drive * (lasting + h)) * growth
         terms = 0.0
         for k in range(order):
             terms += power_of(abs(s), order - 1 - k) * power_of(modes.omega, k)
-        most[i] = power * at_most + drive * terms
+        moduli[i] = power * modulus + drive * terms
         if i < modes.free:  # a place, which this velocity moves
-            most[i] += float(along.drive[modes.free + i]) * power_of(modes.omega, order - 2)
-    found = np.zeros(len(along.waves))
-    for f in range(len(found)):
+            moduli[i] += float(along.drive[modes.free + i]) * power_of(modes.omega, order - 2)
+    limits = np.zeros(len(along.waves))
+    for f in range(len(limits)):
         total = float(along.waves[f]) * power_of(modes.omega, order)
-        for i in range(len(most)):
-            total += abs(complex(along.by_poles[f, 0, i])) * float(most[i])
-        found[f] = total
-    return found
+        for i in range(len(moduli)):
+            total += abs(complex(along.by_poles[f, 0, i])) * float(moduli[i])
+        limits[f] = total
+    return limits
 
 
 def least(along: Along, t: float, size: float) -> Vector:
@@ -267,15 +267,15 @@ def least(along: Along, t: float, size: float) -> Vector:
     moving = along.near & ~still
     if moving.any() or (modes.poles.real > 0)[~still].any():
         return np.full(len(factors), -np.inf)
-    left = np.where(still, 0.0, along.own * np.exp(modes.poles.real * t))
-    kept = (factors[:, still] @ modes.start[still]).real
-    return np.asarray(along.constant + kept - along.waves - np.abs(factors) @ left)
+    transients = np.where(still, 0.0, along.own * np.exp(modes.poles.real * t))
+    resting = (factors[:, still] @ modes.start[still]).real
+    return np.asarray(along.constant + resting - along.waves - np.abs(factors) @ transients)
 
 
 def fastest(along: Along, part: float) -> float:
     """Return the rate above which poles make no more than a part of the first form."""
     speeds = np.abs(along.modes.poles)
-    turns = np.argsort(speeds)[::-1]
-    beyond = np.cumsum((np.abs(along.by_poles[0, 0]) * along.own)[turns])
-    counted = speeds[turns][beyond > part * along.sizes[0]]
-    return float(counted.max(initial=0.0))
+    order = np.argsort(speeds)[::-1]
+    sums = np.cumsum((np.abs(along.by_poles[0, 0]) * along.own)[order])
+    relevant = speeds[order][sums > part * along.sizes[0]]
+    return float(relevant.max(initial=0.0))

@@ -84,15 +84,15 @@ def states_at(along: Along, t: float, h: float, most: float) -> tuple[Matrix, fl
 
     And the sum of the values.
     """
-    found, total = np.zeros((POINTS + 1, len(along.sizes), 2)), 0.0
+    states, total = np.zeros((POINTS + 1, len(along.sizes), 2)), 0.0
     for k in range(POINTS + 1):
-        at = min(t + h * k, most)
-        z = poles_at(along.modes, at)
-        for f in range(found.shape[1]):
-            value, slope = value_at(along, f, z, at)
-            found[k, f, 0], found[k, f, 1] = value, slope
+        time = min(t + h * k, most)
+        z = poles_at(along.modes, time)
+        for f in range(states.shape[1]):
+            value, slope = value_at(along, f, z, time)
+            states[k, f, 0], states[k, f, 1] = value, slope
             total += value
-    return found, total
+    return states, total
 
 
 def first_doubt(
@@ -139,12 +139,12 @@ def first_zero_of(
     along: Along, here: Matrix, there: Matrix, kinds: Integers, a: float, b: float
 ) -> tuple[float, int, int]:
     """Return the first zero of the forms that decrease throughout an interval."""
-    found, form = inf, 0
+    first, form = inf, 0
     for f in range(len(kinds)):
         if kinds[f] == FALLING:
             zero = zero_of(along, f, a, b, cubic_of(here[f], there[f]))
-            found, form = (zero, f) if zero < found else (found, form)
-    return found, EVENT, form
+            first, form = (zero, f) if zero < first else (first, form)
+    return first, EVENT, form
 
 
 def departs(along: Along, f: int, most: float) -> float:

@@ -42,9 +42,9 @@ NUMBERS = column, rules, phases, common_locate, flow
 
 def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     """Return the functions of `step` and `run` over those of bodies, plain or compiled."""
-    made = linking.made((divided,), {}, make)
-    given = {name: made[name] for name in ("exp", "of_two", "of_three")}
-    return linking.made((*PARTS, motion, *OWN), given, counting(make))
+    functions = linking.made((divided,), {}, make)
+    exponentials = {name: functions[name] for name in ("exp", "of_two", "of_three")}
+    return linking.made((*PARTS, motion, *OWN), exponentials, counting(make))
 
 
 #: The functions, linked as plain Python or compiled once plain ones have cost enough.
@@ -84,8 +84,8 @@ class BodyMachine(Machine):
         """Return the state nearest to a given one with given x and v of the first contact."""
         rows = self.regimes[0].contacts[:2, 0].copy()
         rows[:, self.regimes[0].states + 2] -= x, v
-        found: BodyState = self.functions["on"](rows, state)
-        return found
+        nearest: BodyState = self.functions["on"](rows, state)
+        return nearest
 
     def resting(self, angle: float) -> Iterator[AnyState]:
         """Yield states at rest: at 0, and the equilibria of the phases."""
@@ -101,13 +101,13 @@ class BodyMachine(Machine):
         A held phase is at the place where the one before it ends, if this is a fixed place.
         """
         for node, regime in zip(self.nodes, self.regimes, strict=True):
-            own, place = regime.part.lawful, Cell.place(self.cell, node.index)
-            rows, right = own.A, -own.inputs[:, 2]
+            lawful, place = regime.part.lawful, Cell.place(self.cell, node.index)
+            rows, right = lawful.A, -lawful.inputs[:, 2]
             if place is not None:
                 rows = np.vstack([rows, regime.contacts[0, 0, : regime.states]])
                 right = np.append(right, -place if node.mirrored else place)
-            still, *_ = np.linalg.lstsq(rows, right)
-            yield self._at(np.asarray(still, dtype=float), angle)
+            equilibrium, *_ = np.linalg.lstsq(rows, right)
+            yield self._at(np.asarray(equilibrium, dtype=float), angle)
 
     def _at(self, y: Vector, angle: float) -> AnyState:
         """Return a state with the memory that suits it best; see `remembered`."""
@@ -118,8 +118,8 @@ class BodyMachine(Machine):
 
         Its entries are plain numbers, so that states can be compared.
         """
-        found = super().remembered(state)
-        return found._replace(y=tuple(map(float, found.y)), memory=tuple(found.memory))
+        filled = super().remembered(state)
+        return filled._replace(y=tuple(map(float, filled.y)), memory=tuple(filled.memory))
 
     def in_state(self, p: int) -> InState:
         """Return what forms act on, by the state Y of a phase."""

@@ -60,41 +60,41 @@ def rounded(Y: Vector, n: int) -> Vector:
 
     Those of cosine and sine come from the angle of the forcing, also where they are near 0.
     """
-    found = np.zeros(len(Y))
+    errors = np.zeros(len(Y))
     for i in range(len(Y)):
-        found[i] = 1.0 if n <= i < n + 2 else Y[i]
-    return found
+        errors[i] = 1.0 if n <= i < n + 2 else Y[i]
+    return errors
 
 
 def power_of(number: float, order: int) -> float:
     """Return a power by products."""
-    found = 1.0
+    power = 1.0
     for _ in range(order):
-        found *= number
-    return found
+        power *= number
+    return power
 
 
 def modes_of(poles: Poles, omega: float, p: int, Y: Vector) -> Modes:
     """Return the poles of a phase from a state on."""
     count, n = int(poles.counts[p]), poles.bases.shape[1]
-    turn = complex(float(Y[n]), float(Y[n + 1])) / 2
+    forcing = complex(float(Y[n]), float(Y[n + 1])) / 2
     start, drives = np.zeros(count, np.complex128), np.zeros((3, count), np.complex128)
     answers = np.zeros((3, count), np.complex128)
     for i in range(count):
-        inputs, total, rest = poles.inputs[p, i], 0j, 0j
+        inputs, total, constant = poles.inputs[p, i], 0j, 0j
         for j in range(n):
             total += complex(poles.inverses[p, i, j]) * float(Y[j])
         for j in range(2, len(inputs)):
-            rest += complex(inputs[j]) * float(Y[n + j])
+            constant += complex(inputs[j]) * float(Y[n + j])
         cosine, sine = complex(inputs[0]), complex(inputs[1])
         start[i] = total
-        drives[0, i] = (cosine - 1j * sine) * turn
-        drives[1, i] = (cosine + 1j * sine) * turn.conjugate()
-        drives[2, i] = rest
+        drives[0, i] = (cosine - 1j * sine) * forcing
+        drives[1, i] = (cosine + 1j * sine) * forcing.conjugate()
+        drives[2, i] = constant
         for k in range(3):
             answers[k, i] = complex(drives[k, i]) / complex(poles.apart[p, k, i])
-    own, least = poles.values[p, :count], poles.least[p, :count]
-    return Modes(omega, int(poles.free[p]), own, start, drives, answers, least)
+    values, least = poles.values[p, :count], poles.least[p, :count]
+    return Modes(omega, int(poles.free[p]), values, start, drives, answers, least)
 
 
 def poles_at(modes: Modes, t: float) -> Complex:
@@ -102,16 +102,16 @@ def poles_at(modes: Modes, t: float) -> Complex:
 
     For a pole near its drive not by the steady answer, which would lose digits.
     """
-    found = np.zeros(len(modes.poles), np.complex128)
+    values = np.zeros(len(modes.poles), np.complex128)
     turning = 1j * modes.omega
     wave = exp(turning * t)
-    for i in range(len(found)):
+    for i in range(len(values)):
         s, start = complex(modes.poles[i]), complex(modes.start[i])
         if modes.least[i] * t >= CLEAR:
             up, down = complex(modes.answers[0, i]), complex(modes.answers[1, i])
-            one = complex(modes.answers[2, i])
-            z = (start - up - down - one) * exp(s * t)
-            found[i] = z + (up * wave + down * wave.conjugate() + one)
+            constant = complex(modes.answers[2, i])
+            z = (start - up - down - constant) * exp(s * t)
+            values[i] = z + (up * wave + down * wave.conjugate() + constant)
             continue
         z = start * exp(s * t)
         for k in range(3):
@@ -121,16 +121,16 @@ def poles_at(modes: Modes, t: float) -> Complex:
                 z += complex(modes.drives[k, modes.free + i]) * of_three(0j, 0j, q, t)
         if i < modes.free:
             z += complex(modes.start[modes.free + i]) * t
-        found[i] = z
-    return found
+        values[i] = z
+    return values
 
 
 def state_at(poles: Poles, omega: float, p: int, Y: Vector, t: float) -> Vector:
     """Return y at a time t after the state Y in which a phase begins."""
-    z, found = poles_at(modes_of(poles, omega, p, Y), t), np.zeros(poles.bases.shape[1])
-    for j in range(len(found)):
-        found[j] = real_of(poles.bases[p, j], z)
-    return found
+    z, y = poles_at(modes_of(poles, omega, p, Y), t), np.zeros(poles.bases.shape[1])
+    for j in range(len(y)):
+        y[j] = real_of(poles.bases[p, j], z)
+    return y
 
 
 def size_by_poles(poles: Poles, omega: float, p: int, row: Vector, Y: Vector) -> float:

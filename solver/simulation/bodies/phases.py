@@ -130,24 +130,24 @@ class Phases(NamedTuple):
 
 def body_rules_of(cell: BodyCell, nodes: Sequence[Node], regimes: Sequence[Regime]) -> Rules:
     """Return the rules of a cell of a body, whose phases are nodes."""
-    own = rules_of(cell, nodes)
-    ends = zip(regimes, own.kinds[:, column.ROW], own.kinds[:, column.END], strict=True)
-    rows = [own.forms[a:b] @ regime.part.lawful.rows for regime, a, b in ends]
+    rules = rules_of(cell, nodes)
+    ends = zip(regimes, rules.kinds[:, column.ROW], rules.kinds[:, column.END], strict=True)
+    rows = [rules.forms[a:b] @ regime.part.lawful.rows for regime, a, b in ends]
     phases = Phases(poles_of(regimes), laws_of(regimes), forms_of(regimes, rows))
-    return own._replace(phases=phases, forms=np.vstack(rows))
+    return rules._replace(phases=phases, forms=np.vstack(rows))
 
 
 def poles_of(regimes: Sequence[Regime]) -> Poles:
     """Return the poles of phases."""
-    flows = [each.part.flow.upper for each in regimes]
+    flows = [regime.part.flow.upper for regime in regimes]
     count, n = max(len(q.poles) for q in flows), regimes[0].states
-    P, more = len(flows), flows[0].inputs.shape[1]
-    values, inputs = np.zeros((P, count), complex), np.zeros((P, count, more), complex)
+    P, width = len(flows), flows[0].inputs.shape[1]
+    values, inputs = np.zeros((P, count), complex), np.zeros((P, count, width), complex)
     bases, inverses = np.zeros((P, n, count), complex), np.zeros((P, count, n), complex)
     for p, q in enumerate(flows):
-        own = slice(0, len(q.poles))
-        values[p, own], bases[p, :, own] = q.poles, q.basis
-        inverses[p, own], inputs[p, own] = q.inverse, q.inputs
+        columns = slice(0, len(q.poles))
+        values[p, columns], bases[p, :, columns] = q.poles, q.basis
+        inverses[p, columns], inputs[p, columns] = q.inverse, q.inputs
     omega = flows[0].omega
     apart = 1j * np.array([omega, -omega, 0.0])[:, None] - values[:, None]
     least = np.abs(apart).min(axis=1)
@@ -156,30 +156,30 @@ def poles_of(regimes: Sequence[Regime]) -> Poles:
     return Poles(
         np.array([len(q.poles) for q in flows]), np.array([q.free for q in flows]), values,
         bases, inverses, inputs, np.where(apart == 0, 1.0, apart), least,
-        least <= reach[:, None], np.array([each.window for each in regimes]),
+        least <= reach[:, None], np.array([regime.window for regime in regimes]),
         np.maximum(values.real, 0.0).max(axis=1),
     )  # fmt: skip
 
 
 def laws_of(regimes: Sequence[Regime]) -> Laws:
     """Return contacts in phases, in the order of their cell."""
-    velocity = np.array([_rates(each, each.contacts[1], 3) for each in regimes])
+    velocity = np.array([_rates(regime, regime.contacts[1], 3) for regime in regimes])
     switching, holding, hit, rho = [], [], [], []
-    for each in regimes:
-        phase, body = each.phase, each.body
+    for regime in regimes:
+        phase, body = regime.phase, regime.body
         held = [(0.0, phase.speed)] + [(1.0, 0.0)] * (len(phase.laws) - 1)
-        switching.append(_impulses(each, impulses_of(body.mobility, phase.jumps)))
-        holding.append(_impulses(each, impulses_of(body.kept_mobility, held)))
+        switching.append(_impulses(regime, impulses_of(body.mobility, phase.jumps)))
+        holding.append(_impulses(regime, impulses_of(body.kept_mobility, held)))
         jumping = [i for i, jump in enumerate(phase.jumps) if jump != (1.0, 0.0)]
         alone = len(jumping) == 1 and phase.jumps[jumping[0]][1] == 0
         hit.append(jumping[0] if alone else NO_CONTACT)
         rho.append(phase.jumps[jumping[0]][0] if alone else 0.0)
-    phases = [each.phase for each in regimes]
+    phases = [regime.phase for regime in regimes]
     speeds = [q.speed for q in phases]
     return Laws(
         velocity,
-        np.array([each.contacts[0] for each in regimes]),
-        np.array([_rounding(each, each.contacts[1]) for each in regimes]),
+        np.array([regime.contacts[0] for regime in regimes]),
+        np.array([_rounding(regime, regime.contacts[1]) for regime in regimes]),
         regimes[0].free.rows,
         regimes[0].free.B,
         np.array(switching),
@@ -199,25 +199,25 @@ def laws_of(regimes: Sequence[Regime]) -> Laws:
 def forms_of(regimes: Sequence[Regime], forms: Sequence[Matrix]) -> Forms:
     """Return the forms of each phase, shape (F, W) each, one behind another."""
     rates, rounding, by_poles = [], [], []
-    count = max(len(each.part.flow.upper.poles) for each in regimes)
-    for each, rows in zip(regimes, forms, strict=True):
-        own, basis = _rates(each, rows, TERMS), each.part.flow.upper.basis
-        seen = np.zeros((len(rows), 2, count), complex)
-        seen[..., : basis.shape[1]] = own[:, :2, : each.states] @ basis
-        rates.append(own)
-        known = [_rounding(each, own[:, k]) for k in (0, 1)]
-        sums = np.abs(own[:, 1:-1]) @ np.abs(each.generator)
-        rounding.append(np.concatenate([np.stack(known, axis=1), sums], axis=1))
-        by_poles.append(seen)
+    count = max(len(regime.part.flow.upper.poles) for regime in regimes)
+    for regime, rows in zip(regimes, forms, strict=True):
+        derivatives, basis = _rates(regime, rows, TERMS), regime.part.flow.upper.basis
+        factors = np.zeros((len(rows), 2, count), complex)
+        factors[..., : basis.shape[1]] = derivatives[:, :2, : regime.states] @ basis
+        rates.append(derivatives)
+        errors = [_rounding(regime, derivatives[:, k]) for k in (0, 1)]
+        sums = np.abs(derivatives[:, 1:-1]) @ np.abs(regime.generator)
+        rounding.append(np.concatenate([np.stack(errors, axis=1), sums], axis=1))
+        by_poles.append(factors)
     return Forms(np.concatenate(rates), np.concatenate(rounding), np.concatenate(by_poles))
 
 
 def _rates(regime: Regime, rows: Matrix, count: int) -> Matrix:
     """Return forms and their derivatives by time; shape (F, count, W)."""
-    found = [rows]
+    derivatives = [rows]
     for _ in range(count - 1):
-        found.append(found[-1] @ regime.generator)
-    return np.stack(found, axis=1)
+        derivatives.append(derivatives[-1] @ regime.generator)
+    return np.stack(derivatives, axis=1)
 
 
 def _rounding(regime: Regime, rows: Matrix) -> Matrix:
@@ -232,6 +232,6 @@ def _rounding(regime: Regime, rows: Matrix) -> Matrix:
 def _impulses(regime: Regime, law: tuple[Matrix, Matrix]) -> Matrix:
     """Return impulses as forms of Y, from those by contact velocities and a constant."""
     by_velocity, constant = law
-    found = by_velocity @ regime.contacts[1]
-    found[:, regime.states + 2] += constant
-    return np.asarray(found)
+    forms = by_velocity @ regime.contacts[1]
+    forms[:, regime.states + 2] += constant
+    return np.asarray(forms)

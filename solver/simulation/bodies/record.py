@@ -47,9 +47,9 @@ class BodySegment(Segment):
     def seen(self, row: Vector, s: Vector) -> Vector:
         """Return the values of a form at local times."""
         n, flow, Y = self.regime.states, self.regime.part.flow, self.Y
-        turned = (Y[n] + 1j * Y[n + 1]) * np.exp(1j * flow.omega * s)
-        found = flow.seen(row[None, :n], Y[:n], Y[n:], s)[0] + row[n + 2 :] @ Y[n + 2 :]
-        return np.asarray(found + row[n] * turned.real + row[n + 1] * turned.imag)
+        wave = (Y[n] + 1j * Y[n + 1]) * np.exp(1j * flow.omega * s)
+        values = flow.seen(row[None, :n], Y[:n], Y[n:], s)[0] + row[n + 2 :] @ Y[n + 2 :]
+        return np.asarray(values + row[n] * wave.real + row[n + 1] * wave.imag)
 
     def wave(self, omega: float) -> float:
         """Return the shortest period in the displacement that a drawing resolves."""
@@ -63,8 +63,8 @@ class BodySegment(Segment):
         return bool((low >= -ROUNDING * along.sizes).all())
 
     def _along(self, rows: Matrix) -> Along:
-        one, count = [self.regime], len(rows)
-        phases = Phases(poles_of(one), laws_of(one), forms_of(one, [rows]))
-        which, known = np.arange(count), np.zeros(count, dtype=bool)
+        regimes, count = [self.regime], len(rows)
+        phases = Phases(poles_of(regimes), laws_of(regimes), forms_of(regimes, [rows]))
+        numbers, zeros = np.arange(count), np.zeros(count, dtype=bool)
         omega = self.regime.part.flow.omega
-        return along_of(phases, omega, 0, self.Y, which, np.ones(count), known)
+        return along_of(phases, omega, 0, self.Y, numbers, np.ones(count), zeros)

@@ -60,23 +60,23 @@ def regimes(cell: BodyCell, nodes: Sequence[Node]) -> tuple[Regime, ...]:
         If a law does not fix its force, or a phase has no eigenbasis.
     """
     phases = tuple(q.phase for q in nodes if isinstance(q.phase, BodyPhase))
-    whole = replace(cell, phases=phases, sign=1)
-    return tuple(map(_regime, phases, parts_of(whole), [cell] * len(phases)))
+    all_phases = replace(cell, phases=phases, sign=1)
+    return tuple(map(_regime, phases, parts_of(all_phases), [cell] * len(phases)))
 
 
 def _regime(phase: BodyPhase, part: Part, cell: BodyCell) -> Regime:
-    own, apart = part.lawful, free(cell.body, cell.omega, len(cell.memory))
-    states, width = len(own.A), own.rows.shape[1]
+    lawful, free_body = part.lawful, free(cell.body, cell.omega, len(cell.memory))
+    states, width = len(lawful.A), lawful.rows.shape[1]
     generator = np.zeros((width, width))
-    generator[:states] = np.hstack([own.A, own.inputs])
+    generator[:states] = np.hstack([lawful.A, lawful.inputs])
     generator[states, states + 1], generator[states + 1, states] = -cell.omega, cell.omega
-    x, v, *_ = places(len(own.force))
-    contacts = np.array([own.rows[x], own.rows[v], own.force])
-    return Regime(phase, part, cell.body, apart, generator, contacts)
+    x, v, *_ = places(len(lawful.force))
+    contacts = np.array([lawful.rows[x], lawful.rows[v], lawful.force])
+    return Regime(phase, part, cell.body, free_body, generator, contacts)
 
 
 def slowest_decay(cell: BodyCell) -> float:
     """Return the least rate at which a transient of a phase decays; inf if none does."""
-    found = np.concatenate([part.flow.poles for part in parts_of(cell)])
-    rates = -found.real[-found.real > NOISE * np.abs(found)]
+    poles = np.concatenate([part.flow.poles for part in parts_of(cell)])
+    rates = -poles.real[-poles.real > NOISE * np.abs(poles)]
     return float(rates.min(initial=np.inf))

@@ -40,14 +40,14 @@ class BodyState(NamedTuple):
 
 def full_of(state: BodyState) -> Vector:
     """Return the vector ``Y = (y, cos, sin, 1, memory)`` of a state."""
-    n, more = len(state.y), len(state.memory)
-    found = np.ones(n + 3 + more)
+    n, memories = len(state.y), len(state.memory)
+    Y = np.ones(n + 3 + memories)
     for i in range(n):
-        found[i] = state.y[i]
-    found[n], found[n + 1] = cos(state.angle), sin(state.angle)
-    for i in range(more):
-        found[n + 3 + i] = state.memory[i]
-    return found
+        Y[i] = state.y[i]
+    Y[n], Y[n + 1] = cos(state.angle), sin(state.angle)
+    for i in range(memories):
+        Y[n + 3 + i] = state.memory[i]
+    return Y
 
 
 def local_of(rules: Rules, p: int, state: BodyState) -> Vector:
@@ -100,32 +100,32 @@ def on(rows: Matrix, state: BodyState) -> BodyState:
     The gradients of the forms are orthogonalized by Gram and Schmidt.
     """
     n, Y = len(state.y), full_of(state)
-    ways, moved, y = np.zeros((len(rows), n)), np.zeros(len(rows)), copied(state.y)
+    directions, steps, y = np.zeros((len(rows), n)), np.zeros(len(rows)), copied(state.y)
     for k in range(len(rows)):
-        left = -value_of(rows[k], Y)
+        distance = -value_of(rows[k], Y)
         for i in range(n):
-            ways[k, i] = rows[k, i]
-        before = sqrt(value_of(ways[k], ways[k]))
+            directions[k, i] = rows[k, i]
+        full_length = sqrt(value_of(directions[k], directions[k]))
         for j in range(k):
-            part = value_of(ways[j], ways[k])
-            left -= part * float(moved[j])
+            part = value_of(directions[j], directions[k])
+            distance -= part * float(steps[j])
             for i in range(n):
-                ways[k, i] -= part * ways[j, i]
-        length = sqrt(value_of(ways[k], ways[k]))
-        is_new = length > NEW * before  # else it depends on those before it
-        moved[k] = left / length if is_new else 0.0
+                directions[k, i] -= part * directions[j, i]
+        length = sqrt(value_of(directions[k], directions[k]))
+        is_new = length > NEW * full_length  # else it depends on those before it
+        steps[k] = distance / length if is_new else 0.0
         for i in range(n):
-            ways[k, i] = ways[k, i] / length if is_new else 0.0
-            y[i] += moved[k] * ways[k, i]
+            directions[k, i] = directions[k, i] / length if is_new else 0.0
+            y[i] += steps[k] * directions[k, i]
     return BodyState(y, state.angle, state.surface, state.memory)
 
 
 def copied(values: Values) -> Vector:
     """Return a copy of numbers as an array."""
-    found = np.zeros(len(values))
-    for i in range(len(found)):
-        found[i] = values[i]
-    return found
+    copy = np.zeros(len(values))
+    for i in range(len(copy)):
+        copy[i] = values[i]
+    return copy
 
 
 def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
@@ -138,8 +138,8 @@ def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
             total = 0.0
             for j in range(rules.memory.shape[1]):
                 sign = float(rules.kinds[p, column.SIGN]) if j == 3 else 1.0
-                seen = value_of(rules.phases.laws.seen[j], Y)
-                total += sign * float(rules.memory[i, j]) * seen
+                variable = value_of(rules.phases.laws.seen[j], Y)
+                total += sign * float(rules.memory[i, j]) * variable
             values[i] = total
     return BodyState(state.y, state.angle, state.surface, values)
 
@@ -157,8 +157,8 @@ def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
     if ending == NONE:
         return BodyState(end.y, end.angle, surface, end.memory)
     laws = rules.phases.laws
-    known = NONE if laws.moving[ending] else surface
-    return struck(rules, laws.switching[ending], end, known)
+    on_surface = NONE if laws.moving[ending] else surface
+    return struck(rules, laws.switching[ending], end, on_surface)
 
 
 def may_switch(rules: Rules, p: int, before: BodyState) -> bool:

@@ -136,9 +136,9 @@ def rest_of(
     rest = rest_behind(rules, p, behind)
     if rest == NONE:
         return rest, behind
-    first = begun(rules, rest, entered(rules, rest, behind))
-    y = state_at(rules.phases.poles, rules.omega, rest, full_of(first), left)
-    return rest, begun(rules, rest, BodyState(y, angle, first.surface, first.memory))
+    start = begun(rules, rest, entered(rules, rest, behind))
+    y = state_at(rules.phases.poles, rules.omega, rest, full_of(start), left)
+    return rest, begun(rules, rest, BodyState(y, angle, start.surface, start.memory))
 
 
 def strobe(
@@ -151,18 +151,18 @@ def strobe(
     are filled in before; return how many are then.
     """
     laws, poles, Y = rules.phases.laws, rules.phases.poles, full_of(state)
-    more = len(state.memory)
+    memories = len(state.memory)
     while count < len(states):
         t = time_to(clock, count)
         if not t < s:
             break
         y = state_at(poles, rules.omega, p, Y, t)
-        there = full_of(BodyState(y, clock.first, NONE, state.memory))
-        states[count, 0] = value_of(laws.place[p, 0], there)
-        states[count, 1], phases[count] = value_of(laws.velocity[p, 0, 0], there), p
-        for i in range(more):
+        full = full_of(BodyState(y, clock.first, NONE, state.memory))
+        states[count, 0] = value_of(laws.place[p, 0], full)
+        states[count, 1], phases[count] = value_of(laws.velocity[p, 0, 0], full), p
+        for i in range(memories):
             states[count, 2 + i] = state.memory[i]
         for i in range(len(y)):
-            states[count, 2 + more + i] = y[i]
+            states[count, 2 + memories + i] = y[i]
         count += 1
     return count

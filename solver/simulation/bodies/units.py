@@ -22,12 +22,12 @@ def state_of(case: Case, machine: BodyMachine, values: Vector) -> BodyState:
         modes, their velocities.
     """
     seen, count = 2 + len(machine.cell.memory), len(machine.cell.body.squares)
-    modes, other = values[seen:].reshape(2, -1), np.zeros((2, count))
+    modes, resized = values[seen:].reshape(2, -1), np.zeros((2, count))
     common = min(count, modes.shape[1])
-    other[:, :common] = modes[:, :common]
-    given = np.append(values[:seen], other) / units_of(case, machine)
-    x, v = given[:2].tolist()
-    return machine.put(BodyState(given[seen:], 0.0, memory=given[2:seen]), x, v)
+    resized[:, :common] = modes[:, :common]
+    numbers = np.append(values[:seen], resized) / units_of(case, machine)
+    x, v = numbers[:2].tolist()
+    return machine.put(BodyState(numbers[seen:], 0.0, memory=numbers[2:seen]), x, v)
 
 
 def units_of(case: Case, machine: BodyMachine) -> Vector:
@@ -35,6 +35,6 @@ def units_of(case: Case, machine: BodyMachine) -> Vector:
     units, w = case.units, scales(machine.cell.body, machine.cell.omega)
     root = units.mass**0.5
     memory = [units.of_motion(q.power) for q in machine.cell.memory]
-    seen = [units.of_motion(0), units.of_motion(1)]
+    of_contact = [units.of_motion(0), units.of_motion(1)]
     velocities = np.full(len(w), root * units.of_motion(1))
-    return np.array([*seen, *memory, *(root * units.of_motion(0) / w), *velocities])
+    return np.array([*of_contact, *memory, *(root * units.of_motion(0) / w), *velocities])

@@ -71,8 +71,8 @@ def local(phase: Equation, x: float, v: float, angle: float, placed: bool) -> Lo
     x6, of_6 = _derivative(phase, x4, x5, 0.0, p4, waves[4])
     x7, of_7 = _derivative(phase, x5, x6, 0.0, p5, waves[5])
     # a displacement is known to the rounding of |x| + |v|, also where x is 0
-    near = abs(x) + (0.0 if placed else abs(v))
-    sizes = (near, abs(v), of_2, of_3, of_4, of_5, of_6, of_7)
+    size_of_x = abs(x) + (0.0 if placed else abs(v))
+    sizes = (size_of_x, abs(v), of_2, of_3, of_4, of_5, of_6, of_7)
     return Local(phase, (x, v, x2, x3, x4, x5, x6, x7), sizes, powers, waves)
 
 

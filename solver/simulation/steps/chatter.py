@@ -30,10 +30,10 @@ def time_left(v: float, a: float, jerk: float, rho: float, resolved: float) -> f
     """
     if not (-1 < rho <= 0 and v * a < 0):
         return 0.0
-    left = -2 * v / (a * (1 + rho))
-    short = left * left * max(1.0, abs(jerk / a)) <= LEFT
-    unseen = v * v <= 2 * abs(a) * resolved and left * abs(jerk) <= abs(a)
-    return left if short or unseen else 0.0
+    remaining = -2 * v / (a * (1 + rho))
+    is_short = remaining * remaining * max(1.0, abs(jerk / a)) <= LEFT
+    is_unseen = v * v <= 2 * abs(a) * resolved and remaining * abs(jerk) <= abs(a)
+    return remaining if is_short or is_unseen else 0.0
 
 
 def put_last(last: list[float], s: float) -> None:

@@ -62,9 +62,9 @@ def at_start(angle: float, omega: float) -> Clock:
 def later(clock: Clock, s: float) -> Clock:
     """Return the clock after a time `s`."""
     mantissa, power = frexp(clock.omega if clock.omega > 0 else 1.0)  # no product overflows
-    turned, error = product(mantissa, ldexp(s, power))
-    high, more = total(clock.high, turned)
-    turns, high, low = whole_turns(high, more + (clock.low + error))
+    angle, error = product(mantissa, ldexp(s, power))
+    high, rest = total(clock.high, angle)
+    turns, high, low = whole_turns(high, rest + (clock.low + error))
     return Clock(clock.first, clock.omega, clock.turns + turns, high, low)
 
 
@@ -96,23 +96,23 @@ def whole_turns(high: float, low: float) -> tuple[int, float, float]:
 def less(high: float, low: float, turns: int) -> tuple[float, float]:
     """Return an angle minus whole turns, as a double-double."""
     for part in TURN:
-        turned, error = product(float(turns), part)
-        high, more = total(high, -turned)
-        low += more - error
+        angle, error = product(float(turns), part)
+        high, rest = total(high, -angle)
+        low += rest - error
     return total(high, low)
 
 
 def total(a: float, b: float) -> tuple[float, float]:
     """Return the sum of two numbers, and its rounding error."""
-    found = a + b
-    of_b = found - a
-    return found, (a - (found - of_b)) + (b - of_b)
+    rounded = a + b
+    of_b = rounded - a
+    return rounded, (a - (rounded - of_b)) + (b - of_b)
 
 
 def product(a: float, b: float) -> tuple[float, float]:
     """Return the product of two numbers, and its rounding error."""
-    found = a * b
+    ab = a * b
     x, y = SPLIT * a, SPLIT * b
-    high, other = x - (x - a), y - (y - b)
-    low, rest = a - high, b - other
-    return found, ((high * other - found) + high * rest + low * other) + low * rest
+    high_a, high_b = x - (x - a), y - (y - b)
+    low_a, low_b = a - high_a, b - high_b
+    return ab, ((high_a * high_b - ab) + high_a * low_b + low_a * high_b) + low_a * low_b

@@ -109,27 +109,27 @@ def first_event(
             safe = _safe(at, forms[index], step, zeros[index] and s == 0)
             if safe < step:
                 step, nearest = safe, index
-        found = nearest >= 0 and step <= 4 * EPS * s
-        if found:
+        at_zero = nearest >= 0 and step <= 4 * EPS * s
+        if at_zero:
             end = s + _last_correction(at, forms[nearest], s)
         else:
             end = most if nearest < 0 and s + step >= most else s + step
-        there, rate = state_at(phase, x, v, angle, omega, end)
-        if not (isfinite(there) and isfinite(rate)):
+        new_x, new_v = state_at(phase, x, v, angle, omega, end)
+        if not (isfinite(new_x) and isfinite(new_v)):
             return Reached(s, at_x, at_v, BEYOND, 0)
-        s, at_x, at_v = end, there, rate
-        if found or s == most:
-            return Reached(s, at_x, at_v, EVENT if found else CUT, nearest)
+        s, at_x, at_v = end, new_x, new_v
+        if at_zero or s == most:
+            return Reached(s, at_x, at_v, EVENT if at_zero else CUT, nearest)
     return Reached(s, at_x, at_v, LOST, 0)
 
 
 def _largest(forms: Sequence[Form]) -> float:
     """Return the largest modulus of a coefficient of some forms; 1 at least."""
-    found = 1.0
+    largest = 1.0
     for form in forms:
         for i in range(4):
-            found = max(found, abs(form[i]))
-    return found
+            largest = max(largest, abs(form[i]))
+    return largest
 
 
 def _last_correction(at: Local, form: Form, s: float) -> float:
@@ -158,9 +158,9 @@ def _safe(at: Local, form: Form, most: float, zero: bool) -> float:
             size += abs(power)
         if powers[0] > falls:
             return most
-        found = first_zero(powers) if isfinite(size) else 0.0
-        if found > 0:
-            return min(found, 1.0) * most
+        root = first_zero(powers) if isfinite(size) else 0.0
+        if root > 0:
+            return min(root, 1.0) * most
         most *= NARROW  # a zero this near, or overflow: a shorter interval
     return most
 

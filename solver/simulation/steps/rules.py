@@ -52,7 +52,7 @@ class Rules(NamedTuple):
 
 def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
     """Return the rules of a cell from the phases that its motion can be in."""
-    phases, more = range(len(nodes)), len(cell.memory)
+    phases, count = range(len(nodes)), len(cell.memory)
     numbers, kinds, behind = [], [], walls(nodes)
     forms: list[Form] = []
     surfaces: list[int] = []
@@ -64,16 +64,16 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         forms += [form for _, form in phase.switch_demands]
         surfaces += [NONE] * len(phase.switch_demands)
         own = phase.m, phase.c, phase.k, phase.f, phase.g, phase.speed, phase.rho, phase.d
-        numbers.append([*own, *(phase.memory or [0.0] * more)])
+        numbers.append([*own, *(phase.memory or [0.0] * count)])
         place = behind[p], node.index, -1 if node.mirrored else 1
         rows = row, at_switch, len(forms)
         kinds.append([phase.held, node.event not in node.demands, *place, *rows])
-    width = max(4, *(len(form) - more for form in forms))
+    width = max(4, *(len(form) - count for form in forms))
     return Rules(
         cell.omega,
         np.array(numbers, dtype=float),
         np.array(kinds, dtype=np.int64),
-        np.array([[*form, *[0.0] * more][: width + more] for form in forms], dtype=float),
+        np.array([[*form, *[0.0] * count][: width + count] for form in forms], dtype=float),
         np.array(surfaces, dtype=np.int64),
         np.array([[ending(nodes, p, q) for q in range(max(surfaces) + 1)] for p in phases]),
         np.array(turns(nodes)),

@@ -82,8 +82,8 @@ def local_of(rules: Rules, p: int, state: State) -> Local:
 
 def sign_of(rules: Rules, at: Local, row: int, state: State) -> int:
     """Return the sign of a form just after a state."""
-    known = bool(rules.surfaces[row] == state.surface)
-    return sign_after(at, form_of(rules, row, state.memory), known)
+    is_zero = bool(rules.surfaces[row] == state.surface)
+    return sign_after(at, form_of(rules, row, state.memory), is_zero)
 
 
 def sets(rules: Rules, p: int) -> bool:
@@ -166,8 +166,8 @@ def crossed(rules: Rules, p: int, row: int, end: State) -> State:
     paced = ex == 0 and ec == 0 and ev != 0
     x = 0.0 - constant / ex if placed else end.x
     v = 0.0 - constant / ev if paced else end.v
-    known = surface if ev == 0 or (rho == 1 and d == 0) else NONE
-    return State(x, rho * v + d, end.angle, known, placed, end.memory)
+    on_surface = surface if ev == 0 or (rho == 1 and d == 0) else NONE
+    return State(x, rho * v + d, end.angle, on_surface, placed, end.memory)
 
 
 def cannot_go_on(left: float, away: int) -> bool:

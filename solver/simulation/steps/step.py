@@ -77,10 +77,10 @@ def step(rules: Rules, p: int, state: AnyState, clock: Clock, most: float) -> Pa
     state = begun(rules, after, entered(rules, after, behind))
     left = jumping(rules, p, surface, after, state)
     if left > 0:
-        still = later(clock, left)
-        rest, rested = rest_of(rules, p, behind, left, angle_of(still))
+        rest_clock = later(clock, left)
+        rest, rested = rest_of(rules, p, behind, left, angle_of(rest_clock))
         if rest != NONE:  # the last of the jumps stands for all that are left
-            away, after, state, clock = after, rest, rested, still
+            away, after, state, clock = after, rest, rested, rest_clock
     how = CHATTERS if cannot_go_on(left, away) else EVENT
     return Passed(s, how, surface, left, away, behind, after, state, clock)
 
@@ -92,10 +92,10 @@ def end_of_phase(
 
     The watched forms are signed so that none is negative at the start.
     """
-    at, own = local_of(rules, p, state), rules.kinds[p]
+    at, kinds = local_of(rules, p, state), rules.kinds[p]
     forms, rows, zeros = [], [], []
-    event, behind = own[column.ROW], own[column.AT_SWITCH]
-    for watched in range(event + 1, behind + own[column.WATCHED]):
+    event, behind = kinds[column.ROW], kinds[column.AT_SWITCH]
+    for watched in range(event + 1, behind + kinds[column.WATCHED]):
         row = watched if watched < behind else event
         x, v, cosine, constant = form_of(rules, row, state.memory)
         if row == event and sign_of(rules, at, row, state) < 0:
@@ -105,8 +105,8 @@ def end_of_phase(
         zeros.append(bool(rules.surfaces[row] == state.surface))
     end = first_event(at.phase, state.x, state.v, state.angle, state.placed, forms, zeros, most)
     angle = angle_of(later(clock, end.s))
-    there = State(end.x, end.v, angle, NONE, False, state.memory)
-    return end.s, end.how, rows[end.form], there
+    end_state = State(end.x, end.v, angle, NONE, False, state.memory)
+    return end.s, end.how, rows[end.form], end_state
 
 
 def jumping(rules: Rules, p: int, surface: int, after: int, state: State) -> float:
@@ -121,8 +121,8 @@ def rest_of(
     rules: Rules, p: int, behind: State, left: float, angle: float
 ) -> tuple[int, State]:
     """Return the rest behind jumps that accumulate in a time `left`, and its first state."""
-    still = State(behind.x, 0.0, angle, behind.surface, behind.placed, behind.memory)
-    rest = rest_behind(rules, p, still)
+    stopped = State(behind.x, 0.0, angle, behind.surface, behind.placed, behind.memory)
+    rest = rest_behind(rules, p, stopped)
     if rest == NONE:
-        return rest, still
-    return rest, begun(rules, rest, entered(rules, rest, still))
+        return rest, stopped
+    return rest, begun(rules, rest, entered(rules, rest, stopped))

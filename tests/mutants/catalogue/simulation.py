@@ -38,7 +38,7 @@ MUTANTS = (
     Mutant(
         "what is rounded of the angle of the forcing is lost",
         "solver/simulation/steps/clock.py",
-        "whole_turns(high, more + (clock.low + error))",
+        "whole_turns(high, rest + (clock.low + error))",
         "whole_turns(high, 0.0)",
         CLOCK + MOTION,
     ),
@@ -73,8 +73,8 @@ MUTANTS = (
     Mutant(
         "the jumps that are left take the time of a mass that gains by them",
         "solver/simulation/steps/chatter.py",
-        "left = -2 * v / (a * (1 + rho))",
-        "left = -2 * v / (a * (1 - rho))",
+        "remaining = -2 * v / (a * (1 + rho))",
+        "remaining = -2 * v / (a * (1 - rho))",
         CHATTER,
     ),
     Mutant(
@@ -141,15 +141,15 @@ MUTANTS = (
     Mutant(
         "a pole of a body that resonates has no bound",
         "solver/simulation/bodies/along.py",
-        "most[i] = power * at_most + drive * terms",
-        "most[i] = 0.0",
+        "moduli[i] = power * modulus + drive * terms",
+        "moduli[i] = 0.0",
         (f"{BODIES}::test_a_form_stays_within_its_bounds",),
     ),
     Mutant(
         "a body is not struck where it hits",
         "solver/simulation/bodies/state.py",
-        "return struck(rules, laws.switching[ending], end, known)",
-        "return BodyState(end.y, end.angle, known, end.memory)",
+        "return struck(rules, laws.switching[ending], end, on_surface)",
+        "return BodyState(end.y, end.angle, on_surface, end.memory)",
         ("tests/simulation/test_one_mass_as_body.py",),
     ),
     Mutant(
