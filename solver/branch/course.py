@@ -242,11 +242,11 @@ class Course(Itinerary):
     ) -> Vector:  # fmt: skip
         """Return the unknowns of an orbit from states, durations and angle; memories follow."""
         cell, memory = self.cell(numbers), []
-        phases = angle + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
+        forcing_angles = angle + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
         for remembered in cell.memory:
             p, (x, v, cos, constant) = remembered.phase, remembered.value[:4]
             of_state = x * states[p][0] + v * states[p][1]
-            memory.append(of_state + cos * np.cos(phases[p]) + constant)
+            memory.append(of_state + cos * np.cos(forcing_angles[p]) + constant)
         forcing_phase = [angle] if cell.forced else []
         return np.array([*chain.from_iterable(states), *memory, *durations, *forcing_phase])
 
