@@ -52,11 +52,11 @@ Maps = list[tuple[Matrix, Matrix]]
 def _through(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix]:
     """Return the affine map over a cell: of the state at its start, and of the first `wave`."""
     passed, offset = [], np.zeros_like(maps[0][1])
-    for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
+    for p, (part, (flow, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
         closing = part.closing
-        offset = along @ offset + by_wave @ later(turns[..., p])
+        offset = flow @ offset + by_wave @ later(turns[..., p])
         offset = closing.state @ offset + closing.inputs @ later(turns[..., p + 1])
-        passed += [along] if closing.keeps else [along, closing.state]
+        passed += [flow] if closing.keeps else [flow, closing.state]
     closed = reduce(lambda before, each: each @ before, passed)
     return cell.sign * closed, cell.sign * offset
 
@@ -67,11 +67,11 @@ def _closed(closed: Matrix, offset: Matrix) -> Matrix:
     NaN where periodicity does not determine it, as of a body that moves freely.
     """
     try:
-        found = np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset)
+        state = np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset)
     except np.linalg.LinAlgError:
         return np.full(offset.shape, np.nan)
-    sizes, added = (np.abs(q).max(axis=(-2, -1), keepdims=True) for q in (found, offset))
-    return np.where(sizes > UNBOUNDED * added, np.nan, found)
+    sizes, added = (np.abs(q).max(axis=(-2, -1), keepdims=True) for q in (state, offset))
+    return np.where(sizes > UNBOUNDED * added, np.nan, state)
 
 
 def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
@@ -87,17 +87,17 @@ def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
     ndarray, shape (..., P, 3)
     """
     parts = parts_of(cell)
-    turns = np.zeros((*durations.shape[:-1], len(parts) + 1))
-    turns[..., 1:] = cell.omega * np.cumsum(durations, axis=-1)
+    angles = np.zeros((*durations.shape[:-1], len(parts) + 1))
+    angles[..., 1:] = cell.omega * np.cumsum(durations, axis=-1)
     maps = [phase_map(part, durations[..., p]) for p, part in enumerate(parts)]
-    X = _closed(*_through(cell, maps, turns))
-    found = np.empty((*durations.shape, 3))
-    for p, (part, (along, by_wave)) in enumerate(zip(parts, maps, strict=True)):
-        X = along @ X + by_wave @ later(turns[..., p])
-        there, closing = later(turns[..., p + 1]), part.closing
-        found[..., p, :] = closing.gradient @ X + closing.waves @ there
-        X = closing.state @ X + closing.inputs @ there
-    return found
+    X = _closed(*_through(cell, maps, angles))
+    coefficients = np.empty((*durations.shape, 3))
+    for p, (part, (flow, by_wave)) in enumerate(zip(parts, maps, strict=True)):
+        X = flow @ X + by_wave @ later(angles[..., p])
+        rotation, closing = later(angles[..., p + 1]), part.closing
+        coefficients[..., p, :] = closing.gradient @ X + closing.waves @ rotation
+        X = closing.state @ X + closing.inputs @ rotation
+    return coefficients
 
 
 def _passed(
@@ -115,21 +115,21 @@ def _passed(
         Derivatives of the end of the cell, mirrored if cells are.
     """
     count, width, theta = len(maps), len(times), angles_of(cell, times)
-    turns = cell.omega * np.tri(count + 1, width, -1)  # of the angles by the times
+    angles_by = cell.omega * np.tri(count + 1, width, -1)  # of the angles by the times
     if cell.forced:
-        turns[:, -1] = 1.0
+        angles_by[:, -1] = 1.0
     starts, events, events_by = np.empty((count, len(X))), np.empty(count), []
-    for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
+    for p, (part, (flow, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
         starts[p] = X
-        X = along @ X + by_wave @ wave(theta[p])
-        X_by = along @ X_by + np.outer(by_wave @ turned(theta[p]), turns[p])
+        X = flow @ X + by_wave @ wave(theta[p])
+        X_by = flow @ X_by + np.outer(by_wave @ turned(theta[p]), angles_by[p])
         X_by[:, p] += rates(part, X, theta[p + 1])
-        event, there = part.closing.gradient, part.closing.waves
-        events[p] = event @ X + there @ wave(theta[p + 1])
-        events_by.append(event @ X_by + there @ turned(theta[p + 1]) * turns[p + 1])
-        across, inputs = part.closing.state, part.closing.inputs
-        X = across @ X + inputs @ wave(theta[p + 1])
-        X_by = across @ X_by + np.outer(inputs @ turned(theta[p + 1]), turns[p + 1])
+        event, waves = part.closing.gradient, part.closing.waves
+        events[p] = event @ X + waves @ wave(theta[p + 1])
+        events_by.append(event @ X_by + waves @ turned(theta[p + 1]) * angles_by[p + 1])
+        jump, inputs = part.closing.state, part.closing.inputs
+        X = jump @ X + inputs @ wave(theta[p + 1])
+        X_by = jump @ X_by + np.outer(inputs @ turned(theta[p + 1]), angles_by[p + 1])
     return events, np.array(events_by), starts, cell.sign * X_by
 
 
@@ -163,8 +163,8 @@ def left_open(cell: "BodyCell", times: Vector) -> float:
     """
     starts, part = evaluated(cell, times).starts, parts_of(cell)[-1]
     theta, s = angles_of(cell, times), float(times[len(cell.phases) - 1])
-    along, by_wave = phase_map(part, s)
-    X = along @ starts[-1] + by_wave @ wave(theta[-2])
+    flow, by_wave = phase_map(part, s)
+    X = flow @ starts[-1] + by_wave @ wave(theta[-2])
     X = part.switch.state @ X + part.switch.inputs @ wave(theta[-1])
     return float(np.abs(cell.sign * X - starts[0]).max() / (np.abs(starts).max() or 1.0))
 
@@ -188,10 +188,10 @@ def seen(cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix) -> Ma
     start, theta = evaluated(cell, times).starts[p], float(angles_of(cell, times)[p])
     t = float(times[p]) * np.asarray(u, dtype=float)
     inputs = np.concatenate([wave(theta), start[states:]])
-    there = theta + cell.omega * t
-    waves, others = np.array([np.cos(there), np.sin(there)]), rows[:, states + 2 :] @ inputs[2:]
+    angle = theta + cell.omega * t
+    waves, steady = np.array([np.cos(angle), np.sin(angle)]), rows[:, states + 2 :] @ inputs[2:]
     free = part.flow.seen(rows[:, :states], start[:states], inputs, t)
-    return np.asarray(free + rows[:, states : states + 2] @ waves + others[:, None])
+    return np.asarray(free + rows[:, states : states + 2] @ waves + steady[:, None])
 
 
 def magnitudes(cell: "BodyCell", times: Vector, p: int) -> Vector:
@@ -200,23 +200,23 @@ def magnitudes(cell: "BodyCell", times: Vector, p: int) -> Vector:
     The terms are those by modes and inputs.  Where two poles nearly coincide, they are those by
     poles, times the digits that the condition of the eigenbasis costs.
     """
-    part, found = parts_of(cell)[p], evaluated(cell, times)
+    part, at_times = parts_of(cell)[p], evaluated(cell, times)
     rows, states = part.lawful.rows, part.lawful.A.shape[0]
-    start, theta = found.starts[p], float(angles_of(cell, times)[p])
+    start, theta = at_times.starts[p], float(angles_of(cell, times)[p])
     Y = np.concatenate([start[:states], wave(theta), start[states:]])
     rows, half = rows[: len(rows) - len(cell.memory)], part.flow.upper
     by_poles = np.abs(rows[:, :states] @ half.basis) @ np.abs(half.inverse @ start[:states])
-    least = np.abs(rows) @ np.abs(Y)
-    return np.asarray(np.maximum(least, by_poles * part.flow.condition * LOST))
+    by_mode = np.abs(rows) @ np.abs(Y)
+    return np.asarray(np.maximum(by_mode, by_poles * part.flow.condition * LOST))
 
 
 def event_sizes(cell: "BodyCell", times: Vector) -> Vector:
     """Return the sum of the moduli of the terms of the event at the end of each phase."""
     theta, starts = angles_of(cell, times), evaluated(cell, times).starts
-    found = np.empty(len(starts))
+    sizes = np.empty(len(starts))
     for p, (part, s) in enumerate(zip(parts_of(cell), times, strict=False)):
-        along, by_wave = phase_map(part, float(s))
-        end = along @ starts[p] + by_wave @ wave(theta[p])
-        event, there = part.switch.gradient, part.switch.waves
-        found[p] = np.abs(event) @ np.abs(end) + np.abs(there) @ np.abs(wave(theta[p + 1]))
-    return found
+        flow, by_wave = phase_map(part, float(s))
+        end = flow @ starts[p] + by_wave @ wave(theta[p])
+        event, waves = part.switch.gradient, part.switch.waves
+        sizes[p] = np.abs(event) @ np.abs(end) + np.abs(waves) @ np.abs(wave(theta[p + 1]))
+    return sizes

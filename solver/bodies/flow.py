@@ -65,11 +65,11 @@ class Flow:
         alive = (half.poles.real * t[..., None] > GONE).reshape(-1, len(half.poles)).any(axis=0)
         inverse = half.inverse[alive]
         grown = half.basis[:, alive] * np.exp(half.poles[alive] * t[..., None])[..., None, :]
-        found = grown.real @ inverse.real - grown.imag @ inverse.imag
+        exponential = grown.real @ inverse.real - grown.imag @ inverse.imag
         if free:
             moved = half.basis[:, :free] @ half.inverse[free : 2 * free]
-            found = found + t[..., None, None] * moved.real
-        return np.asarray(found)
+            exponential = exponential + t[..., None, None] * moved.real
+        return np.asarray(exponential)
 
     def driven(self, t: float | Vector) -> Matrix:
         """Return the responses of the state at rest to each input; shape (..., n, 3 + M).
@@ -84,18 +84,18 @@ class Flow:
     def answered(self, drives: Complex, t: Vector) -> Complex:
         """Return the responses of z at rest to `drives`; shape (..., n, k) for (3, n, k)."""
         waves = np.array([self.omega, -self.omega, 0.0])
-        along = steady(self.poles, waves[:, None], t[..., None, None])
-        found = np.einsum("wnk,...wn->...nk", drives, along)
+        by_pole = steady(self.poles, waves[:, None], t[..., None, None])
+        answers = np.einsum("wnk,...wn->...nk", drives, by_pole)
         if self.free:
-            moving, places = drives[:, self.free : 2 * self.free], found[..., : self.free, :]
-            places += np.einsum("wnk,w...->...nk", moving, [twice(w, t) for w in waves])
-        return np.asarray(found)
+            moving, rigid = drives[:, self.free : 2 * self.free], answers[..., : self.free, :]
+            rigid += np.einsum("wnk,w...->...nk", moving, [twice(w, t) for w in waves])
+        return np.asarray(answers)
 
     def moved(self, start: Complex, drives: Complex, t: Vector) -> Complex:
         """Return z at times, from its initial value and drives (3, n); shape (n, len(t))."""
-        found = start[:, None] * np.exp(self.poles[:, None] * t)
-        found[: self.free] += start[self.free : 2 * self.free, None] * t
-        return np.asarray(found + self.answered(drives[..., None], t)[..., 0].T)
+        states = start[:, None] * np.exp(self.poles[:, None] * t)
+        states[: self.free] += start[self.free : 2 * self.free, None] * t
+        return np.asarray(states + self.answered(drives[..., None], t)[..., 0].T)
 
     def seen(self, rows: Matrix, y: Vector, inputs: Vector, t: Vector) -> Matrix:
         """Return linear forms of the state at times, from its initial value.
@@ -111,11 +111,11 @@ class Flow:
     @cached_property
     def upper(self) -> "Flow":
         """The poles with one of each pair, its vector doubled: the real part is the state."""
-        kept = self.poles.imag >= 0
-        double = np.where(self.poles[kept].imag > 0, 2.0, 1.0)
-        basis = self.basis[:, kept] * double
+        upper = self.poles.imag >= 0
+        double = np.where(self.poles[upper].imag > 0, 2.0, 1.0)
+        basis = self.basis[:, upper] * double
         return Flow(
-            self.poles[kept], basis, self.inverse[kept], self.inputs[kept], self.omega,
+            self.poles[upper], basis, self.inverse[upper], self.inputs[upper], self.omega,
             self.free,
         )  # fmt: skip
 
@@ -131,11 +131,11 @@ class Flow:
 
         As factors of ``e^(i omega t)``, ``e^(-i omega t)`` and 1.
         """
-        (cos, sin), found = self.inputs[:, :2].T / 2, np.zeros((3, *self.inputs.shape), complex)
-        found[0, :, 0], found[0, :, 1] = cos - 1j * sin, sin + 1j * cos
-        found[1, :, 0], found[1, :, 1] = cos + 1j * sin, sin - 1j * cos
-        found[2, :, 2:] = self.inputs[:, 2:]
-        return found
+        (cos, sin), drive = self.inputs[:, :2].T / 2, np.zeros((3, *self.inputs.shape), complex)
+        drive[0, :, 0], drive[0, :, 1] = cos - 1j * sin, sin + 1j * cos
+        drive[1, :, 0], drive[1, :, 1] = cos + 1j * sin, sin - 1j * cos
+        drive[2, :, 2:] = self.inputs[:, 2:]
+        return drive
 
     def is_clear(self, longest: float) -> bool:
         """Whether no pole is near 0 or +-i omega, so that steady answers keep their digits."""
@@ -144,17 +144,17 @@ class Flow:
 
     def _clear(self, basis: Complex, start: Complex, inputs: Vector, t: Vector) -> Matrix:
         """Return forms of the state by steady answers and a decaying part."""
-        half, other, one = self.drives @ inputs
+        harmonic_drive, conjugate, steady_drive = self.drives @ inputs
         up, down = (
-            half / (1j * self.omega - self.poles),
-            other / (-1j * self.omega - self.poles),
+            harmonic_drive / (1j * self.omega - self.poles),
+            conjugate / (-1j * self.omega - self.poles),
         )
-        constant = -one / self.poles
+        constant = -steady_drive / self.poles
         decaying = (start - up - down - constant)[:, None] * np.exp(self.poles[:, None] * t)
         waves = np.exp(1j * self.omega * t)
         steady_ = np.outer(basis @ up, waves) + np.outer(basis @ down, waves.conj())
-        found = basis @ decaying + steady_ + (basis @ constant)[:, None]
-        return np.asarray(found.real)
+        forms = basis @ decaying + steady_ + (basis @ constant)[:, None]
+        return np.asarray(forms.real)
 
 
 def flow_of(lawful: Lawful, omega: float) -> Flow:
@@ -165,13 +165,13 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
     BodyError
         If two eigenvectors are nearly parallel.
     """
-    free, rest = lawful.free, np.eye(len(lawful.A))
+    free, complement = lawful.free, np.eye(len(lawful.A))
     if free.shape[1]:
-        rest = np.linalg.qr(free, mode="complete")[0][:, free.shape[1] :]
-    own = rest.T @ lawful.A @ rest
-    poles, turned = graded(own, *np.linalg.eig(own))
-    vectors = rest @ turned
-    if free.shape[1]:  # the rest drives them: what is free is added to each vector
+        complement = np.linalg.qr(free, mode="complete")[0][:, free.shape[1] :]
+    reduced = complement.T @ lawful.A @ complement
+    poles, turned = graded(reduced, *np.linalg.eig(reduced))
+    vectors = complement @ turned
+    if free.shape[1]:  # the complement drives them: what is free is added to each vector
         count, inner = free.shape[1] // 2, np.linalg.pinv(free)
         drive = inner @ (lawful.A @ vectors - vectors * poles)
         moving = drive[count:] / poles
@@ -194,10 +194,10 @@ def _inverse(poles: Complex, basis: Complex) -> Complex:
     above, below = np.flatnonzero(poles.imag > 0), np.flatnonzero(poles.imag < 0)
     real = basis.real.copy()
     real[:, below] = basis[:, above].imag
-    found = np.linalg.inv(real).astype(complex)
-    found[above] = (found[above] - 1j * found[below]) / 2
-    found[below] = found[above].conj()
-    return found
+    inverse = np.linalg.inv(real).astype(complex)
+    inverse[above] = (inverse[above] - 1j * inverse[below]) / 2
+    inverse[below] = inverse[above].conj()
+    return inverse
 
 
 def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Complex]:
@@ -211,25 +211,25 @@ def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Comple
         inverse = np.linalg.inv(vectors)
     except np.linalg.LinAlgError:
         return poles, vectors
-    left, sizes = inverse @ (A @ vectors - vectors * poles), np.abs(vectors)
+    residual, sizes = inverse @ (A @ vectors - vectors * poles), np.abs(vectors)
     rounding = np.abs(inverse) @ (np.abs(A) @ sizes + sizes * np.abs(poles))
-    left[np.abs(left) <= np.finfo(float).eps * rounding] = 0.0
-    apart = poles - poles[:, None] + np.eye(len(poles))
-    turns = left / np.where(apart == 0, 1.0, apart) - np.diag(np.diag(left))
-    counts = np.abs(turns).max(axis=0, initial=0.0) < TURN
-    more = np.where(counts, np.vstack([np.diag(left), vectors @ turns]), 0.0)
-    found = np.vstack([poles, vectors]) + more.astype(complex)
-    found.imag[:, poles.imag == 0] = 0.0
-    found[:, poles.imag < 0] = found[:, poles.imag > 0].conj()  # pairs stay pairs
-    return found[0], found[1:]
+    residual[np.abs(residual) <= np.finfo(float).eps * rounding] = 0.0
+    gaps = poles - poles[:, None] + np.eye(len(poles))
+    rotations = residual / np.where(gaps == 0, 1.0, gaps) - np.diag(np.diag(residual))
+    counts = np.abs(rotations).max(axis=0, initial=0.0) < TURN
+    corrections = np.where(counts, np.vstack([np.diag(residual), vectors @ rotations]), 0.0)
+    pairs = np.vstack([poles, vectors]) + corrections.astype(complex)
+    pairs.imag[:, poles.imag == 0] = 0.0
+    pairs[:, poles.imag < 0] = pairs[:, poles.imag > 0].conj()  # pairs stay pairs
+    return pairs[0], pairs[1:]
 
 
 def steady(poles: Complex, omega: float | Vector, t: float | Vector) -> Complex:
     """Return ``int_0^t e^(s (t - r)) e^(i omega r) dr``, accurate also near a resonance."""
-    apart = 1j * omega - poles
-    turned, decayed = apart * t, np.exp(poles * t)
+    detuning = 1j * omega - poles
+    turned, decayed = detuning * t, np.exp(poles * t)
     small = np.abs(turned) < 1.0
-    far = (np.exp(1j * omega * t) - decayed) / np.where(apart == 0, 1.0, apart)
+    far = (np.exp(1j * omega * t) - decayed) / np.where(detuning == 0, 1.0, detuning)
     if not small.any():
         return np.asarray(far)
     near = decayed * t * _phi(np.where(small, turned, 1.0))
@@ -243,13 +243,13 @@ def twice(omega: float, t: Vector) -> Complex:
     z = 1j * omega * t
     small = np.abs(z) < NEAR
     far = np.where(small, 1.0, z)
-    found = (np.expm1(far) - far) / far**2
+    factors = (np.expm1(far) - far) / far**2
     if small.any():
         near, term = np.zeros_like(z), np.full_like(z, 0.5)
         for n in range(3, 3 + TERMS):
             near, term = near + term, term * z / n
-        found = np.where(small, near, found)
-    return np.asarray(t * t * found)
+        factors = np.where(small, near, factors)
+    return np.asarray(t * t * factors)
 
 
 def _phi(z: Complex) -> Complex:

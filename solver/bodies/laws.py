@@ -92,19 +92,19 @@ def places(contacts: int) -> tuple[list[int], list[int], list[int], list[int]]:
     >>> places(2)
     ([0, 6], [1, 7], [4, 8], [5, 9])
     """
-    more = [6 + 4 * i for i in range(contacts - 1)]
+    offsets = [6 + 4 * i for i in range(contacts - 1)]
     return (
-        [0, *more],
-        [1, *(q + 1 for q in more)],
-        [4, *(q + 2 for q in more)],
-        [5, *(q + 3 for q in more)],
+        [0, *offsets],
+        [1, *(q + 1 for q in offsets)],
+        [4, *(q + 2 for q in offsets)],
+        [5, *(q + 3 for q in offsets)],
     )
 
 
 def scales(body: Modal, omega: float) -> Vector:
     """Return the frequency by which each mode is scaled, a smooth function of parameters."""
-    own = np.sqrt(np.abs(body.squares))
-    return np.hypot(own, omega or SLOWEST * float(own.max()))
+    frequencies = np.sqrt(np.abs(body.squares))
+    return np.hypot(frequencies, omega or SLOWEST * float(frequencies.max()))
 
 
 @lru_cache(maxsize=64)
@@ -112,9 +112,9 @@ def added(body: Modal) -> Matrix:
     """Return the factors of the contact forces in the variables of forms; shape (S, c)."""
     contacts = body.at.shape[1]
     x, _, f, a = places(contacts)
-    found = np.zeros((2 + 4 * contacts, contacts))
-    found[x], found[a], found[f] = body.residual, body.kept_mobility, np.eye(contacts)
-    return found
+    factors = np.zeros((2 + 4 * contacts, contacts))
+    factors[x], factors[a], factors[f] = body.residual, body.kept_mobility, np.eye(contacts)
+    return factors
 
 
 @lru_cache(maxsize=64)
@@ -149,21 +149,21 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
         If the laws of the phase do not fix the contact forces.
     """
     memory, phase = len(cell.memory), cell.carrying(p)
-    own = free(cell.body, cell.omega, memory)
+    free_body = free(cell.body, cell.omega, memory)
     laws = law_matrix(phase)
-    size = len(own.rows)
-    known = laws[:, :size] @ own.rows
-    known[:, known.shape[1] - memory :] += laws[:, size:]
-    left = laws[:, :size] @ own.by_force
-    sizes = (np.abs(laws[:, :size]) @ np.abs(own.by_force)).max(axis=1)
-    if abs(np.linalg.det(left)) <= SINGULAR * np.prod(sizes):
+    size = len(free_body.rows)
+    by_variables = laws[:, :size] @ free_body.rows
+    by_variables[:, by_variables.shape[1] - memory :] += laws[:, size:]
+    by_force = laws[:, :size] @ free_body.by_force
+    sizes = (np.abs(laws[:, :size]) @ np.abs(free_body.by_force)).max(axis=1)
+    if abs(np.linalg.det(by_force)) <= SINGULAR * np.prod(sizes):
         raise BodyError(f"{phase.name}: its law does not fix the contact force")
-    force = -np.linalg.solve(left, known)
-    rows = own.rows + own.by_force @ force
+    force = -np.linalg.solve(by_force, by_variables)
+    rows = free_body.rows + free_body.by_force @ force
     rows = np.vstack([rows, np.eye(rows.shape[1])[rows.shape[1] - memory :]])
-    states = own.A.shape[0]
-    A = own.A + own.B @ force[:, :states]
-    inputs = np.asarray(own.inputs + own.B @ force[:, states:], dtype=float)
+    states = free_body.A.shape[0]
+    A = free_body.A + free_body.B @ force[:, :states]
+    inputs = np.asarray(free_body.inputs + free_body.B @ force[:, states:], dtype=float)
     by_law: Matrix = np.asarray(force, dtype=float)
     return Lawful(np.asarray(A, dtype=float), inputs, rows, by_law, *_free_ways(cell, by_law))
 
@@ -181,15 +181,15 @@ def _free_ways(cell: "BodyCell", force: Matrix) -> tuple[Matrix, Matrix]:
     by_place, by_velocity = by_law[:, rigid] * w, by_law[:, m + rigid]
     still, free = _unheld(by_place), _unheld(np.vstack([by_place, by_velocity, damping]))
     zeros = np.zeros((2 * m, len(rigid)))
-    places, velocities = zeros.copy(), zeros
-    places[rigid], velocities[m + rigid] = np.diag(w), np.eye(len(rigid))
-    return places @ still, np.hstack([places @ free, velocities @ free])
+    displacements, velocities = zeros.copy(), zeros
+    displacements[rigid], velocities[m + rigid] = np.diag(w), np.eye(len(rigid))
+    return displacements @ still, np.hstack([displacements @ free, velocities @ free])
 
 
 def _unheld(rows: Matrix) -> Matrix:
     """Return an orthonormal basis of the null space, by column."""
-    _, values, turns = np.linalg.svd(rows)
-    return np.asarray(turns[(values > HELD).sum() :].T)
+    _, values, Vh = np.linalg.svd(rows)
+    return np.asarray(Vh[(values > HELD).sum() :].T)
 
 
 def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vector:
@@ -205,19 +205,19 @@ def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vect
     sign : int
         What the motion is multiplied by there.
     """
-    own = free(cell.body, cell.omega, 0)
+    body = free(cell.body, cell.omega, 0)
     mirrored = np.where(np.arange(len(seen)) == 3, seen, sign * seen)
     forces = places(cell.body.at.shape[1])[2]
-    rest = mirrored - own.by_force @ mirrored[forces]
+    rest = mirrored - body.by_force @ mirrored[forces]
     laws = law_matrix(phase)
-    return np.asarray(rest - own.by_force @ np.linalg.solve(laws @ own.by_force, laws @ rest))
+    return np.asarray(rest - body.by_force @ np.linalg.solve(laws @ body.by_force, laws @ rest))
 
 
 def law_matrix(phase: "BodyPhase") -> Matrix:
     """Return the laws of a phase by row; a held contact decays to its prescribed speed."""
-    found = np.array(phase.laws)
+    laws = np.array(phase.laws)
     if phase.held:
-        found[0] /= found[0, 5]
-        found[0, 1] += RETURN
-        found[0, 3] -= RETURN * phase.speed
-    return found
+        laws[0] /= laws[0, 5]
+        laws[0, 1] += RETURN
+        laws[0, 3] -= RETURN * phase.speed
+    return laws

@@ -68,9 +68,9 @@ class Modal:
     def is_proportional(self) -> bool:
         """Whether the damping matrix is diagonal in modal coordinates."""
         size = np.abs(self.damping)
-        own = size.diagonal().copy()
+        diagonal = size.diagonal().copy()
         np.fill_diagonal(size, 0.0)
-        return bool(size.max(initial=0.0) <= 1e-13 * own.max(initial=0.0))
+        return bool(size.max(initial=0.0) <= 1e-13 * diagonal.max(initial=0.0))
 
     def in_units(self, mass: float, time: float, length: float) -> "Modal":
         """Return the same body in other units, given in its present ones."""
@@ -126,26 +126,26 @@ def modal(
         raise BodyError(f"the body has {n} degrees of freedom: say how many modes are kept")
     factors = None if whole else factored(K + shift * M)
     squares, shapes = natural_modes(M, K, count, shift, factors)
-    own = shapes @ _seen_first(shapes.T @ at, squares == 0)
+    basis = shapes @ _seen_first(shapes.T @ at, squares == 0)
     left_out = np.zeros((n, at.shape[1] + 1))
     if not whole:
         stiff = solver(K + shift * M, factors)
         left_out = _left_out(M, shapes, np.hstack([at, force]), shift, stiff)
     if not whole and jumps:
-        seen = (own.T @ at) ** 2 / np.where(squares == 0, np.inf, squares)[:, None]
-        more, answers = _static_shapes(left_out[:, :-1], M, K, seen.sum(axis=0))
-        left_out -= answers @ ((answers.T @ np.hstack([at, force])) / more[:, None])
-        squares, own = np.append(squares, more), np.hstack([own, answers])
-    seen, driven = own.T @ at, own.T @ force
+        at_contacts = (basis.T @ at) ** 2 / np.where(squares == 0, np.inf, squares)[:, None]
+        added, answers = _static_shapes(left_out[:, :-1], M, K, at_contacts.sum(axis=0))
+        left_out -= answers @ ((answers.T @ np.hstack([at, force])) / added[:, None])
+        squares, basis = np.append(squares, added), np.hstack([basis, answers])
+    at_contacts, driven = basis.T @ at, basis.T @ force
     damping = np.zeros((len(squares), len(squares)))
     if "C" in matrices:
-        damping = own.T @ exact_product(matrices["C"], own)[0]
-    mobility = seen.T @ seen if whole else at.T @ solver(M)(at)
+        damping = basis.T @ exact_product(matrices["C"], basis)[0]
+    mobility = at_contacts.T @ at_contacts if whole else at.T @ solver(M)(at)
     compliance = at.T @ left_out
     residual = np.zeros_like(mobility) if jumps else compliance[:, :-1]
     return _without_unseen(
         Modal(
-            squares, damping, seen, driven[:, 0], mobility, (residual + residual.T) / 2,
+            squares, damping, at_contacts, driven[:, 0], mobility, (residual + residual.T) / 2,
             compliance[:, -1].astype(complex),
         )
     )  # fmt: skip
@@ -169,13 +169,13 @@ def _static_shapes(left_out: Matrix, M: Any, K: Any, kept: Vector) -> tuple[Vect
     shapes : ndarray, shape (n, a)
     """
     stiff, mass = left_out.T @ (K @ left_out), left_out.T @ (M @ left_out)
-    seen = np.diag(stiff) > STIFF * kept
-    sizes = np.sqrt(np.diag(stiff)[seen])
-    values, turns = np.linalg.eigh(stiff[np.ix_(seen, seen)] / np.outer(sizes, sizes))
+    strong = np.diag(stiff) > STIFF * kept
+    sizes = np.sqrt(np.diag(stiff)[strong])
+    values, vectors = np.linalg.eigh(stiff[np.ix_(strong, strong)] / np.outer(sizes, sizes))
     new = values > NEW
-    basis = turns[:, new] / sizes[:, None] / np.sqrt(values[new])  # of unit stiffness
-    values, turns = np.linalg.eigh(basis.T @ mass[np.ix_(seen, seen)] @ basis)
-    shapes = left_out[:, seen] @ basis @ turns / np.sqrt(values)
+    basis = vectors[:, new] / sizes[:, None] / np.sqrt(values[new])  # of unit stiffness
+    values, vectors = np.linalg.eigh(basis.T @ mass[np.ix_(strong, strong)] @ basis)
+    shapes = left_out[:, strong] @ basis @ vectors / np.sqrt(values)
     return 1 / values, shapes * signs(shapes)
 
 
@@ -201,18 +201,18 @@ def at_frequency(
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     n = matrices["M"].shape[0]
-    few, own = len(body.squares) < n, np.sort(body.squares)[:modes]  # shapes come last
-    if modes is not None and modes < n and omega**2 > own.max():
+    few, squares = len(body.squares) < n, np.sort(body.squares)[:modes]  # shapes come last
+    if modes is not None and modes < n and omega**2 > squares.max():
         raise BodyError("the forcing is faster than all modes that are kept: keep more of them")
     if not (few and omega and "C" in matrices and "forcing" in matrices):
         return body
     rows = np.diag(body.squares - omega**2) + 1j * omega * body.damping
-    kept = body.at.T @ np.linalg.solve(rows, body.forcing.astype(complex))
+    retained = body.at.T @ np.linalg.solve(rows, body.forcing.astype(complex))
     at, force = matrices["at"].toarray(), matrices["forcing"].toarray()
     stiff, damping = (matrices["K"] - omega**2 * matrices["M"], -omega * matrices["C"])
     full = sparse.block_array([[stiff, damping], [damping, -stiff]], format="csr")  # Re, Im
     real, imag = np.split(solver(full)(np.vstack([force, 0 * force]))[:, 0], 2)
-    return replace(body, beyond=at.T @ real + 1j * (at.T @ imag) - kept)
+    return replace(body, beyond=at.T @ real + 1j * (at.T @ imag) - retained)
 
 
 def _seen_first(at: Matrix, free: Indices) -> Matrix:
@@ -220,20 +220,20 @@ def _seen_first(at: Matrix, free: Indices) -> Matrix:
 
     `at`, shape (m, c), are the modes at the contacts.
     """
-    found = np.eye(len(at))
+    rotation = np.eye(len(at))
     if free.any():
-        found[np.ix_(free, free)] = np.linalg.svd(at[free])[0]
-    return found
+        rotation[np.ix_(free, free)] = np.linalg.svd(at[free])[0]
+    return rotation
 
 
 def _without_unseen(body: Modal) -> Modal:
     """Return a body without the rigid-body modes that neither contacts nor forcing see."""
     sizes, damping = np.linalg.norm(body.at, axis=1), np.abs(body.damping)
-    kept = (body.squares != 0) | (sizes > UNSEEN * sizes.max())
-    kept |= damping.max(axis=0) > UNSEEN * damping.max()
+    seen = (body.squares != 0) | (sizes > UNSEEN * sizes.max())
+    seen |= damping.max(axis=0) > UNSEEN * damping.max()
     return replace(
-        body, squares=body.squares[kept], damping=body.damping[np.ix_(kept, kept)],
-        at=body.at[kept], forcing=body.forcing[kept],
+        body, squares=body.squares[seen], damping=body.damping[np.ix_(seen, seen)],
+        at=body.at[seen], forcing=body.forcing[seen],
     )  # fmt: skip
 
 
@@ -247,11 +247,11 @@ def _left_out(M: Any, shapes: Matrix, right: Matrix, shift: float, stiff: Solve)
         return np.asarray(q - shapes @ (shapes.T @ (M @ q)))
 
     first = without(stiff(right - M @ (shapes @ (shapes.T @ right))))
-    found, last = first, np.inf
+    response, last = first, np.inf
     for _ in range(STEPS):
-        before, found = found, first + shift * without(stiff(M @ found))
-        change, size = np.abs(found - before).max(), np.abs(found).max()
+        before, response = response, first + shift * without(stiff(M @ response))
+        change, size = np.abs(response - before).max(), np.abs(response).max()
         if change <= 4 * np.finfo(float).eps * size or last <= change <= BY_ROUNDING * size:
-            return found
+            return response
         last = change
     raise BodyError("the modes left out are too slow for the forcing: keep more of them")

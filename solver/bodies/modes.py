@@ -71,15 +71,15 @@ def _found(M: Any, K: Any, count: int, shift: float, factors: Any) -> tuple[Vect
     n = M.shape[0]
     try:
         if factors is None or (n <= DENSE and count > MANY * n):
-            found = linalg.eigh(K.toarray(), M.toarray(), subset_by_index=(0, count - 1))
+            pairs = linalg.eigh(K.toarray(), M.toarray(), subset_by_index=(0, count - 1))
         else:
             inverse = sparse.linalg.LinearOperator(M.shape, factors.solve, dtype=float)
-            found = sparse.linalg.eigsh(
+            pairs = sparse.linalg.eigsh(
                 K, count, M, sigma=-shift, OPinv=inverse, v0=_begin(n), which="LM"
             )
     except (np.linalg.LinAlgError, RuntimeError, ValueError) as error:
         raise BodyError(f"the modes of the body are not found: {error}") from None
-    return _sorted(*(np.asarray(part, dtype=float) for part in found))
+    return _sorted(*(np.asarray(part, dtype=float) for part in pairs))
 
 
 def corrected(
@@ -104,29 +104,29 @@ def corrected(
 
     for _ in range(CORRECTIONS):
         pull, mass = exact_product(K, shapes)[0], M @ shapes
-        apart = np.eye(len(squares)) - _symmetric(shapes.T @ mass)
+        defect = np.eye(len(squares)) - _symmetric(shapes.T @ mass)
         stiffness = _symmetric(shapes.T @ pull)
-        squares = stiffness.diagonal() / (1 - apart.diagonal())
-        left, distance = stiffness + apart * squares, squares - squares[:, None]
-        near = np.abs(left) >= NEARLY_ONE * np.abs(distance)
+        squares = stiffness.diagonal() / (1 - defect.diagonal())
+        coupling, distance = stiffness + defect * squares, squares - squares[:, None]
+        near = np.abs(coupling) >= NEARLY_ONE * np.abs(distance)
         near |= np.abs(distance) <= ALIKE * np.abs(squares)
-        own = np.diag(apart.diagonal()) / 2
-        turns = np.where(near, own, left / np.where(near, 1.0, distance))
-        others = np.zeros_like(shapes)
+        halved = np.diag(defect.diagonal()) / 2
+        turns = np.where(near, halved, coupling / np.where(near, 1.0, distance))
+        outside = np.zeros_like(shapes)
         if factors is not None:
-            rest = factors.solve(pull - mass * squares)
-            others = shapes @ (mass.T @ rest) - rest
+            residual = factors.solve(pull - mass * squares)
+            outside = shapes @ (mass.T @ residual) - residual
         size = SETTLED * np.abs(shapes).max(axis=0)
-        settled = np.abs(turns).max() <= SETTLED and (np.abs(others).max(axis=0) <= size).all()
+        settled = np.abs(turns).max() <= SETTLED and (np.abs(outside).max(axis=0) <= size).all()
         for group in _groups(near):
-            here = np.ix_(group, group)
+            block = np.ix_(group, group)
             squares[group], turned = linalg.eigh(
-                stiffness[here], np.eye(len(group)) - apart[here]
+                stiffness[block], np.eye(len(group)) - defect[block]
             )
-            turns[here] = 0.0
+            turns[block] = 0.0
             turns[:, group] = turns[:, group] @ turned
-            turns[here] = turned - np.eye(len(group))
-        shapes = shapes + (shapes @ turns + others)
+            turns[block] = turned - np.eye(len(group))
+        shapes = shapes + (shapes @ turns + outside)
         if settled:
             break
     return _sorted(squares, shapes)

@@ -33,8 +33,8 @@ def signals(
     u = np.asarray(u, dtype=float)
     if order == 0:
         rows = parts_of(cell)[p].lawful.rows
-        kept = len(rows) - len(cell.memory)
-        return exact.seen(cell, times, p, u, rows[:kept])
+        count = len(rows) - len(cell.memory)
+        return exact.seen(cell, times, p, u, rows[:count])
     forms = _layout(cell, order, functions).phases[p].seen
     return _seen(cell, order, functions, times, p, u, forms)
 
@@ -49,13 +49,13 @@ def derivative(
     """
     u = np.asarray(u, dtype=float)
     if number <= 2:
-        seen = signals(cell, order, times, p, u, functions)
-        return np.asarray(seen[(0, 1, ACCELERATION)[number]])
+        variables = signals(cell, order, times, p, u, functions)
+        return np.asarray(variables[(0, 1, ACCELERATION)[number]])
     if order:
-        own = _layout(cell, order, functions)
-        forms = own.phases[p].seen.some([ACCELERATION])
+        layout_ = _layout(cell, order, functions)
+        forms = layout_.phases[p].seen.some([ACCELERATION])
         for _ in range(number - 2):
-            forms = own.poles.rate(forms, own.phases[p].force)
+            forms = layout_.poles.rate(forms, layout_.phases[p].force)
         return np.asarray(_seen(cell, order, functions, times, p, u, forms)[0])
     part = parts_of(cell)[p]
     generator = generator_of(part, cell.omega)
@@ -88,25 +88,25 @@ def memory_of(cell: "BodyCell", order: int, functions: int | None, times: Vector
         return np.empty(0)
     if functions is None:
         return solved(cell, order, times)[0][layout(cell, order).memory]
-    found = harmonics.evaluated(cell, order, functions, times)
-    return np.asarray(found.unknowns[found.frame.memory].real)
+    evaluation = harmonics.evaluated(cell, order, functions, times)
+    return np.asarray(evaluation.unknowns[evaluation.frame.memory].real)
 
 
 def _along(
     cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, forms: Complex
 ) -> Matrix:
     """Return ``Re(forms @ z)`` at local times of a phase; shape (len(forms), len(u))."""
-    own = layout(cell, order)
-    pieces, s = own.phases[p].pieces, float(times[p]) / own.phases[p].pieces
-    found = _answers(cell, order, p, times)
+    layout_ = layout(cell, order)
+    pieces, s = layout_.phases[p].pieces, float(times[p]) / layout_.phases[p].pieces
+    answer = _answers(cell, order, p, times)
     which = np.minimum((u * pieces).astype(int), pieces - 1)
     values = np.empty((len(forms), len(u)))
     for piece in np.unique(which):
-        here, (E, B) = which == piece, found[piece]
-        w = u[here] * pieces - piece
+        inside, (E, B) = which == piece, answer[piece]
+        w = u[inside] * pieces - piece
         basis = _polynomials(w.tobytes(), B.shape[1] - 1)
-        free = (forms * E) @ np.exp(own.poles.s[:, None] * s * w)
-        values[:, here] = free.real + (forms @ B).real @ basis.T
+        free = (forms * E) @ np.exp(layout_.poles.s[:, None] * s * w)
+        values[:, inside] = free.real + (forms @ B).real @ basis.T
     return values
 
 
@@ -121,12 +121,12 @@ def _answers(
     cell: "BodyCell", order: int, p: int, times: Vector
 ) -> tuple[tuple[Complex, Complex], ...]:
     """Return z on each piece of a phase as ``E e^(kappa u) + sum B_m P_m*(u)``."""
-    own, (unknowns, states) = layout(cell, order), solved(cell, order, times)
-    phase, poles = own.phases[p], own.poles
-    s, first = float(times[p]) / phase.pieces, own.first_of(p)
+    layout_, (unknowns, states) = layout(cell, order), solved(cell, order, times)
+    phase, poles = layout_.phases[p], layout_.poles
+    s, first = float(times[p]) / phase.pieces, layout_.first_of(p)
     pieces = []
     for e in range(first, first + phase.pieces):
-        at, count = own.pieces[e, 1], (phase.degree + 1) * poles.b.shape[1]
+        at, count = layout_.pieces[e, 1], (phase.degree + 1) * poles.b.shape[1]
         l = unknowns[at : at + count].reshape(phase.degree + 1, -1)
         E, B = answers(poles.s * s, l @ poles.b.T)
         pieces.append((states[e] + s * E, s * B.T))

@@ -54,7 +54,7 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
         If a law does not fix its force.
     """
     laws = [lawful(cell, p) for p in range(len(cell.phases))]
-    switches = [switch(cell, p, own.rows) for p, own in enumerate(laws)]
+    switches = [switch(cell, p, law.rows) for p, law in enumerate(laws)]
     closing = fixed(switches, *shifts(cell))
     return tuple(map(Part, laws, switches, closing, [cell.omega] * len(laws)))
 
@@ -71,16 +71,16 @@ def shifts(cell: "BodyCell") -> tuple[Matrix, Matrix]:
         return _returning(cell)
     count = 2 * len(cell.body.squares)
     is_free = cell.sign > 0 and bool((cell.body.squares == 0).any())
-    found = np.empty((count + len(cell.memory), 0))
+    basis = np.empty((count + len(cell.memory), 0))
     for p in range(len(cell.phases) if is_free else 0):
-        own = lawful(cell, p)
+        law = lawful(cell, p)
         if p == 0:
-            found = np.vstack([own.still, np.zeros((len(cell.memory), own.still.shape[1]))])
-        beside = found[:count] - own.still @ np.linalg.pinv(own.still) @ found[:count]
-        seen = np.vstack([beside, switch(cell, p, own.rows).state @ found - found])
-        _, values, turns = np.linalg.svd(seen)
-        found = found @ turns[(values > HELD * np.abs(found).max(initial=1.0)).sum() :].T
-    return found, found
+            basis = np.vstack([law.still, np.zeros((len(cell.memory), law.still.shape[1]))])
+        outside = basis[:count] - law.still @ np.linalg.pinv(law.still) @ basis[:count]
+        conditions = np.vstack([outside, switch(cell, p, law.rows).state @ basis - basis])
+        _, values, Vh = np.linalg.svd(conditions)
+        basis = basis @ Vh[(values > HELD * np.abs(basis).max(initial=1.0)).sum() :].T
+    return basis, basis
 
 
 def _returning(cell: "BodyCell") -> tuple[Matrix, Matrix]:
@@ -95,12 +95,12 @@ def _returning(cell: "BodyCell") -> tuple[Matrix, Matrix]:
     )
     if by_mode.min() * cell.duration > RETURNING:
         return (np.empty((2 * len(body.squares) + len(cell.memory), 0)),) * 2
-    own = lawful(cell, 0)
-    across = switch(cell, 0, own.rows)
-    along, _ = phase_map(Part(own, across, across, cell.omega), cell.duration)
-    left, values, turns = np.linalg.svd(np.eye(len(along)) - cell.sign * across.state @ along)
+    law = lawful(cell, 0)
+    across = switch(cell, 0, law.rows)
+    flow, _ = phase_map(Part(law, across, across, cell.omega), cell.duration)
+    left, values, Vh = np.linalg.svd(np.eye(len(flow)) - cell.sign * across.state @ flow)
     last = int((values > RETURNING).sum())
-    return along @ turns[last:].T, left[:, last:]
+    return flow @ Vh[last:].T, left[:, last:]
 
 
 # A function whose last argument are times.
@@ -149,35 +149,35 @@ def phase_map(part: Part, s: float | Vector) -> tuple[Matrix, Matrix]:
     """
     states, size = part.lawful.A.shape[0], part.switch.state.shape[0]
     driven = part.flow.driven(s)
-    along, by_wave = np.zeros((*np.shape(s), size, size)), np.zeros((*np.shape(s), size, 3))
-    along[..., :, :] = np.eye(size)
-    along[..., :states, :states] = part.flow.matrix(s)
-    along[..., :states, states:], by_wave[..., :states, :] = driven[..., 3:], driven[..., :3]
-    return along, by_wave
+    flow, by_wave = np.zeros((*np.shape(s), size, size)), np.zeros((*np.shape(s), size, 3))
+    flow[..., :, :] = np.eye(size)
+    flow[..., :states, :states] = part.flow.matrix(s)
+    flow[..., :states, states:], by_wave[..., :states, :] = driven[..., 3:], driven[..., :3]
+    return flow, by_wave
 
 
 def rates(part: Part, X: Vector, angle: float) -> Vector:
     """Return the derivative of ``X = (y, memory)`` by time."""
     states = part.lawful.A.shape[0]
     inputs = np.concatenate([wave(angle), X[states:]])
-    found = np.zeros(len(X))
-    found[:states] = part.lawful.A @ X[:states] + part.lawful.inputs @ inputs
-    return found
+    derivative = np.zeros(len(X))
+    derivative[:states] = part.lawful.A @ X[:states] + part.lawful.inputs @ inputs
+    return derivative
 
 
 def later(angle: float | Vector) -> Matrix:
     """Return the matrix that rotates `wave` by an angle; a stack for several."""
-    found = np.zeros((*np.shape(angle), 3, 3))
-    found[..., 0, 0] = found[..., 1, 1] = np.cos(angle)
-    found[..., 1, 0] = np.sin(angle)
-    found[..., 0, 1], found[..., 2, 2] = -found[..., 1, 0], 1.0
-    return found
+    rotation = np.zeros((*np.shape(angle), 3, 3))
+    rotation[..., 0, 0] = rotation[..., 1, 1] = np.cos(angle)
+    rotation[..., 1, 0] = np.sin(angle)
+    rotation[..., 0, 1], rotation[..., 2, 2] = -rotation[..., 1, 0], 1.0
+    return rotation
 
 
 def generator_of(part: Part, omega: float) -> Matrix:
     """Return the matrix G of ``Y' = G Y`` on a phase, Y = (y, cos, sin, 1, memory)."""
     A, inputs = part.lawful.A, part.lawful.inputs
-    found = np.zeros((len(A) + inputs.shape[1],) * 2)
-    found[: len(A)] = np.hstack([A, inputs])
-    found[len(A), len(A) + 1], found[len(A) + 1, len(A)] = -omega, omega
-    return found
+    generator = np.zeros((len(A) + inputs.shape[1],) * 2)
+    generator[: len(A)] = np.hstack([A, inputs])
+    generator[len(A), len(A) + 1], generator[len(A) + 1, len(A)] = -omega, omega
+    return generator

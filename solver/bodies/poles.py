@@ -84,18 +84,18 @@ class Poles:
         by_turn[2] = 1.0
         if self.held is not None:
             turn, springs, dampers = 1j * self.omega, self.held.springs, self.held.dampers
-            for found, beyond in ((by_pole.T, 0.0), (by_turn, self.held.beyond)):
-                place, velocity = found[..., x] - beyond, found[..., v] - turn * beyond
-                taken = springs * place + dampers * velocity
-                found[..., force] = -taken
-                found[..., x] -= taken @ self.held.residual
+            for variables, beyond in ((by_pole.T, 0.0), (by_turn, self.held.beyond)):
+                place, velocity = variables[..., x] - beyond, variables[..., v] - turn * beyond
+                reaction = springs * place + dampers * velocity
+                variables[..., force] = -reaction
+                variables[..., x] -= reaction @ self.held.residual
         return by_pole, by_turn
 
     def forms(self, rows: Matrix) -> "Forms":
         """Return linear forms in terms of the poles, without their parts by contact forces."""
         by_pole, by_turn = self.seen
-        seen, memory = rows[:, : len(by_turn)], rows[:, len(by_turn) :]
-        return Forms(seen @ by_pole, seen @ by_turn, rows[:, 3], memory)
+        variables, memory = rows[:, : len(by_turn)], rows[:, len(by_turn) :]
+        return Forms(variables @ by_pole, variables @ by_turn, rows[:, 3], memory)
 
     def rate(self, forms: "Forms", law: "Forms") -> "Forms":
         """Return the time derivatives of forms, with contact forces by a law."""
@@ -148,14 +148,14 @@ def poles_of(body: Modal, omega: float, hold: bool = False) -> Poles:
     hold = hold or bool((body.squares == 0).any())
     held = _held(body, omega) if hold else None
     is_closed = held is None and body.is_proportional
-    found = _of_modes(body) if is_closed else _of_states(body, omega, held)
+    poles = _of_modes(body) if is_closed else _of_states(body, omega, held)
     try:
         answer = _answer(body, omega, held)
     except np.linalg.LinAlgError:
         if not hold:
             return poles_of(body, omega, hold=True)
         raise BodyError("an undamped mode is in resonance with the forcing") from None
-    return Poles(*found, body.at.T @ answer + body.beyond, omega, held)
+    return Poles(*poles, body.at.T @ answer + body.beyond, omega, held)
 
 
 def _answer(body: Modal, omega: float, held: Held | None) -> Complex:
@@ -203,25 +203,25 @@ def _of_states(
     body: Modal, omega: float, held: Held | None = None
 ) -> tuple[Complex, Complex, Complex]:
     """Return s, b, c from the eigenvectors of the first-order equations."""
-    own = free(body, omega, 0)
-    x, v, *_ = (own.rows[q, : len(own.A)] for q in places(body.at.shape[1]))
+    free_body = free(body, omega, 0)
+    x, v, *_ = (free_body.rows[q, : len(free_body.A)] for q in places(body.at.shape[1]))
     A = (
-        own.A
+        free_body.A
         if held is None
-        else own.A - own.B @ (held.springs[:, None] * x + held.dampers[:, None] * v)
+        else free_body.A - free_body.B @ (held.springs[:, None] * x + held.dampers[:, None] * v)
     )
     s, basis = np.linalg.eig(A)
     if np.linalg.cond(basis) > WORST:
         raise BodyError(ONE)
-    b = np.linalg.solve(basis, own.B.astype(complex))
+    b = np.linalg.solve(basis, free_body.B.astype(complex))
     c = (x @ basis).T
     sizes = np.abs(c).max(axis=1)  # a place that nothing holds or sees has a pole at 0
-    kept = (s.imag >= 0) & (
+    retained = (s.imag >= 0) & (
         (np.abs(s) > STILL * np.abs(s).max()) | (sizes > STILL * sizes.max())
     )
-    double = np.where(s.imag > 0, 2.0, 1.0)[kept]
+    double = np.where(s.imag > 0, 2.0, 1.0)[retained]
     return (
-        s[kept].astype(complex),
-        b[kept],
-        np.asarray(c[kept] * double[:, None], dtype=complex),
+        s[retained].astype(complex),
+        b[retained],
+        np.asarray(c[retained] * double[:, None], dtype=complex),
     )

@@ -82,11 +82,11 @@ def fixed(switches: Sequence[Switch], before: Matrix, after: Matrix) -> list[Swi
     """
     if not before.size:
         return list(switches)
-    _, values, turns = np.linalg.svd(np.array([q.gradient for q in switches]) @ before)
-    unseen = after @ turns[(values > UNSEEN * np.abs(before).max()).sum() :].T
-    *found, last = (q.fixing(before, after) for q in switches)
+    _, values, Vh = np.linalg.svd(np.array([q.gradient for q in switches]) @ before)
+    unseen = after @ Vh[(values > UNSEEN * np.abs(before).max()).sum() :].T
+    *first, last = (q.fixing(before, after) for q in switches)
     onto = np.eye(len(unseen)) - unseen @ np.linalg.pinv(unseen)
-    return [*found, replace(last, state=onto @ last.state, inputs=onto @ last.inputs)]
+    return [*first, replace(last, state=onto @ last.state, inputs=onto @ last.inputs)]
 
 
 def impulses(cell: "BodyCell", p: int) -> tuple[Matrix, Matrix]:
@@ -127,24 +127,24 @@ def impulses_of(
 def switch(cell: "BodyCell", p: int, rows: Matrix) -> Switch:
     """Return the switch at the end of a phase; `rows` are the variables of forms."""
     memory, contacts = len(cell.memory), cell.body.at.shape[1]
-    own = free(cell.body, cell.omega, memory)
-    states, width = own.A.shape[0], own.rows.shape[1]
+    free_body = free(cell.body, cell.omega, memory)
+    states, width = free_body.A.shape[0], free_body.rows.shape[1]
     event = np.array(cell.carrying(p).event) @ rows
     after = np.eye(states + memory, width)  # over (y, cos, sin, 1, memory)
     after[states:] = np.eye(width)[width - memory :]
     by_velocity, constant = impulses(cell, p)
-    velocity = own.rows[places(contacts)[1]]
-    after[:states] += own.B @ by_velocity @ velocity
-    after[:states, states + 2] += own.B @ constant
+    velocity = free_body.rows[places(contacts)[1]]
+    after[:states] += free_body.B @ by_velocity @ velocity
+    after[:states, states + 2] += free_body.B @ constant
     following = (p + 1) % len(cell.phases)
-    for i, each in enumerate(cell.memory):
-        if each.phase == following:
-            size = len(own.rows)
-            seen = own.rows.copy()
-            form, sign = np.array(each.value[:size]), cell.sign if following == 0 else 1
+    for i, remembered in enumerate(cell.memory):
+        if remembered.phase == following:
+            size = len(free_body.rows)
+            behind = free_body.rows.copy()
+            form, sign = np.array(remembered.value[:size]), cell.sign if following == 0 else 1
             form = form * np.where(np.arange(size) == 3, sign, 1)  # of the mirrored state
-            seen[:, :states] = seen[:, :states] @ after[:states, :states]
-            seen[:, states:] += own.rows[:, :states] @ after[:states, states:]
-            after[states + i] = form @ seen
-    kept = [*range(states), *range(states + 3, width)]
-    return Switch(after[:, kept], after[:, states : states + 3], event, states)
+            behind[:, :states] = behind[:, :states] @ after[:states, :states]
+            behind[:, states:] += free_body.rows[:, :states] @ after[:states, states:]
+            after[states + i] = form @ behind
+    columns = [*range(states), *range(states + 3, width)]
+    return Switch(after[:, columns], after[:, states : states + 3], event, states)

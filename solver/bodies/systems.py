@@ -50,23 +50,23 @@ def exact_product(A: Any, B: Matrix) -> tuple[Matrix, Matrix]:
         for column in columns:
             product = part @ column
             grown = total + product
-            kept = grown - total
-            low = low + ((total - (grown - kept)) + (product - kept))
+            high = grown - total
+            low = low + ((total - (grown - high)) + (product - high))
             total = grown
     return total + low, (total - (total + low)) + low
 
 
 def _parts(values: Any, sizes: Vector, bits: int) -> list[Any]:
     """Return a splitting of numbers into parts of few bits, the largest first."""
-    found, top = [], np.exp2(np.ceil(np.log2(np.where(sizes > 0, sizes, 1.0))))
+    parts, top = [], np.exp2(np.ceil(np.log2(np.where(sizes > 0, sizes, 1.0))))
     for q in range(1, 1 + PARTS):
         step = top * 2.0 ** (BITS - q * bits)  # what is less than a bit of it is rounded
         part = (values + step) - step
-        found.append(part)
+        parts.append(part)
         values = values - part
         if not values.any():
             break
-    return found
+    return parts
 
 
 def factored(matrix: Any) -> Any:
@@ -90,8 +90,8 @@ def solver(matrix: Any, factors: Any = None) -> Solve:
     factors = factored(matrix) if factors is None else factors
 
     def solve(right: Matrix) -> Matrix:
-        found = factors.solve(right)
-        product, rest = exact_product(matrix, found)
-        return np.asarray(found + factors.solve((right - product) - rest))
+        solution = factors.solve(right)
+        product, remainder = exact_product(matrix, solution)
+        return np.asarray(solution + factors.solve((right - product) - remainder))
 
     return solve

@@ -26,12 +26,12 @@ def residual(case: Any, times: Vector, R: Vector) -> None:
 
     The Jacobian costs less than the residual, and is kept in `case.kept` for `jacobian`.
     """
-    found, count = linear(case, times), len(case.degrees)
-    _, _, (_, unknowns), (events, constants), _ = found
+    system, count = linear(case, times), len(case.degrees)
+    _, _, (_, unknowns), (events, constants), _ = system
     R[:count] = events @ unknowns + constants
     if case.numbers[2] > 0:
         R[count] = times[:count].sum() - case.numbers[2]
-    slopes(case, times, found, case.kept[1:])
+    slopes(case, times, system, case.kept[1:])
     case.kept[0] = times
 
 
@@ -48,8 +48,8 @@ def moved(case: Any, row: int, states: Complex, angle: float, turns: Vector) -> 
     From those of the poles' `states`, and of the `angle` of the forcing (`turns`).
     """
     wave = (1j * case.turns[row] * np.exp(1j * angle)).real
-    found: Vector = (states @ case.forms[row]).real + wave * turns
-    return found
+    derivatives: Vector = (states @ case.forms[row]).real + wave * turns
+    return derivatives
 
 
 def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
@@ -57,15 +57,15 @@ def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
     begins, (grown, a, Z, turn), (A, unknowns), (events, _), (carry, starts) = found
     count, contacts, width = len(case.degrees), len(case.b), len(times)
     omega, s, first = case.numbers[0], case.s, count * (contacts + 1)
-    turns = np.zeros((len(begins), width))  # derivatives of the angles by the times
-    turns[:, count:] = 1.0
+    angles_by = np.zeros((len(begins), width))  # derivatives of the angles by the times
+    angles_by[:, count:] = 1.0
     begun = np.empty((len(starts), len(s)), np.complex128)
     starts_by = np.zeros((len(starts), width, len(s)), np.complex128)
     ends_by = np.zeros_like(starts_by)
     for f in range(len(starts)):
         p = case.pieces[f, 0]
-        turns[f + 1] = turns[f]
-        turns[f + 1, p] += omega / case.counts[p]
+        angles_by[f + 1] = angles_by[f]
+        angles_by[f + 1, p] += omega / case.counts[p]
         begun[f] = unknowns.astype(np.complex128) @ starts[f]
         ends_by[f, p] = ended(case, times, f, unknowns, a[p]) + s * grown[p] * begun[f]
         ends_by[f, p] /= case.counts[p]
@@ -77,24 +77,24 @@ def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
         ends_by[e] += grown[p] * starts_by[e]
         if case.pieces[e, 2]:
             row = count * contacts + p
-            shifted[p] = moved(case, row, ends_by[e], begins[e + 1], turns[e + 1])
+            shifted[p] = moved(case, row, ends_by[e], begins[e + 1], angles_by[e + 1])
     for e in range(len(starts)):
         p, at, last = case.pieces[e]
-        part, degrees, wave = 1.0 / case.counts[p], case.degrees[p] + 1, np.exp(1j * begins[e])
+        share, degrees, wave = 1.0 / case.counts[p], case.degrees[p] + 1, np.exp(1j * begins[e])
         turn_rates = moment_rates(turn[p, : degrees + 1].reshape(-1, 1))[:, 0]
         for k in range(contacts):
             row = p * contacts + k
             law = case.forms[row]
             rows = ((a[p, :degrees] * law) @ starts_by[e].T).real
             waves = 1j * case.turns[row] * wave * turn[p, :degrees]
-            rows += waves.real.copy().reshape(-1, 1) * turns[e]
+            rows += waves.real.copy().reshape(-1, 1) * angles_by[e]
             grows = a[p, : degrees + 1] @ (law * s * begun[e])
-            rows[:, p] += part * moment_rates(grows.reshape(-1, 1))[:, 0].real
-            rows[:, p] += part * (1j * omega * case.turns[row] * wave * turn_rates).real
+            rows[:, p] += share * moment_rates(grows.reshape(-1, 1))[:, 0].real
+            rows[:, p] += share * (1j * omega * case.turns[row] * wave * turn_rates).real
             for c in range(contacts if degrees > 1 else 0):
                 l = unknowns[at + c : at + degrees * contacts : contacts].copy()
-                rows[:, p] += part * (Z[p, 0, k, c, :degrees, :degrees].copy() @ l)
-                rows[:, p] += part * response_rates(Z[p, 1, k, c], l)
+                rows[:, p] += share * (Z[p, 0, k, c, :degrees, :degrees].copy() @ l)
+                rows[:, p] += share * response_rates(Z[p, 1, k, c], l)
             by[at + k : at + degrees * contacts : contacts] = rows
             by[at + k : at + min(degrees, 2) * contacts : contacts] += (
                 case.fixing[p, k] * shifted[p]
@@ -102,12 +102,12 @@ def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
         for k in range(contacts if last else 0):
             q = case.hits[p, k]
             for c in range(contacts if q >= 0 else 0):
-                velocity = moved(case, first + c, ends_by[e], begins[e + 1], turns[e + 1])
+                velocity = moved(case, first + c, ends_by[e], begins[e + 1], angles_by[e + 1])
                 by[q] -= case.impulse[p, k, c] * velocity
     for i in range(len(case.sets)):
         e = case.sets[i]
         by[case.size[1] + i] = -moved(
-            case, first + contacts + i, starts_by[e], begins[e], turns[e]
+            case, first + contacts + i, starts_by[e], begins[e], angles_by[e]
         )
     J[:count] = shifted - events @ solved(A, by)
     if case.numbers[2] > 0:
@@ -122,10 +122,10 @@ def ended(case: Any, times: Vector, e: int, unknowns: Vector, a: Complex) -> Com
     """
     p, at, contacts = case.pieces[e, 0], case.pieces[e, 1], len(case.b)
     degrees = case.degrees[p] + 1
-    found: Complex = np.zeros_like(case.s)
+    derivative: Complex = np.zeros_like(case.s)
     kappa = case.s * (times[p] / case.counts[p])
     for c in range(contacts):
         l = signed(unknowns[at + c : at + degrees * contacts : contacts])
         rates = rates_by_moments(l).astype(np.complex128) @ a[: degrees + 1]
-        found += case.b[c] * (l.astype(np.complex128) @ a[:degrees] + kappa * rates)
-    return found
+        derivative += case.b[c] * (l.astype(np.complex128) @ a[:degrees] + kappa * rates)
+    return derivative

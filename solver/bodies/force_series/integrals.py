@@ -51,18 +51,18 @@ def moments(kappa: Complex, count: int) -> Complex:
 
     The error is some 1e-14, for ``Re kappa > 0`` times ``e^(Re kappa)``.
     """
-    found: Complex = whole(factors(kappa, count))[:count]
-    return found
+    values: Complex = whole(factors(kappa, count))[:count]
+    return values
 
 
 def whole(factors: Complex) -> Complex:
     """Return ``a_m`` from the factors of ``Z_mn``."""
-    found: Complex = factors[ABOVE].copy()
-    power = np.ones_like(found[0])
-    for m in range(1, len(found)):
+    values: Complex = factors[ABOVE].copy()
+    power = np.ones_like(values[0])
+    for m in range(1, len(values)):
         power *= factors[STEPS, m]
-        found[m] *= power
-    return found
+        values[m] *= power
+    return values
 
 
 def factors(kappa: Complex, count: int) -> Complex:
@@ -71,10 +71,10 @@ def factors(kappa: Complex, count: int) -> Complex:
     Shape ``(4, count + 1, len(kappa))``: `ABOVE`, `BELOW`, `STEPS`, `SAME` by degree; the last
     entries of `BELOW` and `SAME` are unused.
     """
-    found = np.zeros((4, count + 1, len(kappa)), np.complex128)
+    table = np.zeros((4, count + 1, len(kappa)), np.complex128)
     for which in apart(kappa, limit(count)):
         k = kappa[which]
-        part = room(found, which)
+        part = room(table, which)
         above, below, steps, same = part[0], part[1], part[2], part[3]
         if largest(k) <= limit(count):
             weighted(k, above)
@@ -89,8 +89,8 @@ def factors(kappa: Complex, count: int) -> Complex:
         for n in range(1, count):
             before, after = above[n] * below[n - 1], above[n + 1] * below[n]
             same[n] = same_response(n, k, before, after)
-        found[:, :, which] = part
-    return found
+        table[:, :, which] = part
+    return table
 
 
 def limit(count: int) -> int:
@@ -114,8 +114,8 @@ def largest(k: Any) -> float:
 
 def room(factors: Complex, which: Any) -> Complex:
     """Return an array of zeros for the factors of the poles `which`."""
-    found: Complex = np.zeros_like(factors[:, :, which])
-    return found
+    zeros: Complex = np.zeros_like(factors[:, :, which])
+    return zeros
 
 
 def upwards(k: Any, found: Complex) -> None:
@@ -129,11 +129,11 @@ def upwards(k: Any, found: Complex) -> None:
 
 def weighted(k: Any, found: Complex) -> None:
     """Fill in ``A_m`` by its downward recurrence; at least two entries."""
-    after, here = 0 * k + 1, 0 * k + 1
+    after, current = 0 * k + 1, 0 * k + 1
     for m in range(len(found) + BEYOND + int(largest(k) / 2), 0, -1):
-        after, here = here, weighted_moment(m, k, here, after)
+        after, current = current, weighted_moment(m, k, current, after)
         if m <= len(found):
-            found[m - 1] = here
+            found[m - 1] = current
     by_unity = 1 / unity(k, found[0], found[1])
     for m in range(len(found)):
         found[m] = found[m] * by_unity
@@ -165,8 +165,8 @@ def responses(factors: Complex, w: Complex) -> Any:
     w : ndarray of complex, shape (K, Q)
     """
     above, steps, count = factors[ABOVE], factors[STEPS], factors.shape[1] - 1
-    found = np.empty((w.shape[1], count, count))
-    flat, below, sign = found.reshape(w.shape[1], -1), factors[BELOW].copy(), -1.0
+    sums = np.empty((w.shape[1], count, count))
+    flat, below, sign = sums.reshape(w.shape[1], -1), factors[BELOW].copy(), -1.0
     flat[:, :: count + 1] = (factors[SAME, :count] @ w).real.T
     for d in range(1, count):
         if d > 1:
@@ -175,7 +175,7 @@ def responses(factors: Complex, w: Complex) -> Any:
         flat[:, d * count :: count + 1] = diagonal
         flat[:, d : (count - d) * count : count + 1] = sign * diagonal
         sign = -sign
-    return found
+    return sums
 
 
 def response_rates(Z: Matrix, series: Vector) -> Vector:
@@ -184,12 +184,12 @@ def response_rates(Z: Matrix, series: Vector) -> Vector:
     The derivative follows from the neighbours: Z has one degree more than the series.
     """
     count = len(series)
-    found = np.zeros(count)
+    rates = np.zeros(count)
     for m in range(count):
         for n in range(count):
             left, before = Z[m - 1, n] if m > 0 else 0.0, Z[m, n - 1] if n > 0 else 0.0
-            found[m] += response_rate(m, n, left, Z[m + 1, n], before, Z[m, n + 1]) * series[n]
-    return found
+            rates[m] += response_rate(m, n, left, Z[m + 1, n], before, Z[m, n + 1]) * series[n]
+    return rates
 
 
 def summed(factors: Complex, series: Complex) -> Complex:
@@ -202,40 +202,40 @@ def summed(factors: Complex, series: Complex) -> Complex:
         The coefficients l_n for each pole, of at most `count` degrees.
     """
     above, below, steps, same = factors[0], factors[1], factors[2], factors[3]
-    found: Complex = np.empty_like(above[1:])
-    sums = np.zeros_like(above[0])
-    for m in range(len(found)):  # n < m
-        found[m] = above[m] * sums
-        sums *= steps[m + 1]
+    sums: Complex = np.empty_like(above[1:])
+    running = np.zeros_like(above[0])
+    for m in range(len(sums)):  # n < m
+        sums[m] = above[m] * running
+        running *= steps[m + 1]
         if m < len(series):
-            found[m] += same[m] * series[m]
-            sums += below[m] * series[m]
-    sums[:] = 0.0
+            sums[m] += same[m] * series[m]
+            running += below[m] * series[m]
+    running[:] = 0.0
     for m in range(len(series) - 2, -1, -1):  # n > m
-        sums *= -steps[m + 2]
-        sums -= above[m + 1] * series[m + 1]
-        found[m] += below[m] * sums
-    return found
+        running *= -steps[m + 2]
+        running -= above[m + 1] * series[m + 1]
+        sums[m] += below[m] * running
+    return sums
 
 
 def moment_rates(a: Complex) -> Complex:
     """Return ``da_m/dkappa`` from ``a_m``, along the first index; one entry less."""
-    found, before = np.empty_like(a[1:]), np.zeros_like(a[0])
-    for m in range(len(found)):
-        found[m] = moment_rate(m, before, a[m], a[m + 1])
+    rates, before = np.empty_like(a[1:]), np.zeros_like(a[0])
+    for m in range(len(rates)):
+        rates[m] = moment_rate(m, before, a[m], a[m + 1])
         before = a[m]
-    return found
+    return rates
 
 
 def rates_by_moments(series: Vector) -> Vector:
     """Return c with ``sum_n l_n da_n/dkappa = sum_m c_m a_m``; one entry more than l."""
-    found = np.zeros(len(series) + 1)
+    coefficients = np.zeros(len(series) + 1)
     for n in range(len(series)):
-        found[n] += moment_rate(n, 0.0, 1.0, 0.0) * series[n]
-        found[n + 1] += moment_rate(n, 0.0, 0.0, 1.0) * series[n]
+        coefficients[n] += moment_rate(n, 0.0, 1.0, 0.0) * series[n]
+        coefficients[n + 1] += moment_rate(n, 0.0, 0.0, 1.0) * series[n]
         if n > 0:
-            found[n - 1] += moment_rate(n, 1.0, 0.0, 0.0) * series[n]
-    return found
+            coefficients[n - 1] += moment_rate(n, 1.0, 0.0, 0.0) * series[n]
+    return coefficients
 
 
 def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
@@ -256,17 +256,17 @@ def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
     rows = 2 * count + TAIL
     E, B = np.zeros_like(kappa), np.zeros((rows, len(kappa)), np.complex128)
     near = np.abs(kappa) <= limit(count)
-    found = summed(factors(kappa[near], rows), series[:, near])
-    B[:, near] = (2.0 * np.arange(rows) + 1)[:, None] * found
+    sums = summed(factors(kappa[near], rows), series[:, near])
+    B[:, near] = (2.0 * np.arange(rows) + 1)[:, None] * sums
     k = kappa[~near]
     # I_0 = (e^(kappa u) - 1)/kappa, I_1 = (2 I_0 - P_1* - e^(kappa u))/kappa, then by parts
     e, b = np.zeros((2, len(k)), dtype=complex), np.zeros((2, rows, len(k)), dtype=complex)
     e[0], b[0, 0] = answer_0(k), -1 / k
     e[1], b[1, 0], b[1, 1] = answer_1(k, e[0]), 2 * b[0, 0] / k, -1 / k
     for n in range(count):
-        own = series[n, ~near]
-        E[~near] += own * e[0]
-        B[:, ~near] += own * b[0]
+        coefficients = series[n, ~near]
+        E[~near] += coefficients * e[0]
+        B[:, ~near] += coefficients * b[0]
         after, beyond = (next_answer(n + 1, 1 / k, q[0], q[1]) for q in (e, b))
         beyond[n + 2] -= 1 / k
         beyond[n] += 1 / k

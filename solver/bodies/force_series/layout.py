@@ -47,10 +47,10 @@ class Phase:
     """
 
     def __init__(self, cell: "BodyCell", poles: Poles, p: int, order: int) -> None:
-        own, memory, phase = added(cell.body), len(cell.memory), cell.phases[p]
-        width, contacts = own.shape
+        by_contact, memory, phase = added(cell.body), len(cell.memory), cell.phases[p]
+        width, contacts = by_contact.shape
         rows = law_matrix(phase)
-        by_force = np.vstack([own, np.zeros((memory, contacts))])
+        by_force = np.vstack([by_contact, np.zeros((memory, contacts))])
         self.direct = rows @ by_force
         closure: Matrix = np.asarray(np.linalg.solve(self.direct, rows), dtype=float)
         by_law = np.eye(width + memory) - by_force @ closure
@@ -61,8 +61,8 @@ class Phase:
         self.hit = np.flatnonzero(np.abs(by_velocity).sum(axis=1) + np.abs(constant))
         self.impulse = np.column_stack([by_velocity, constant])
         self.fixing: Vector = _fixing(cell, poles, p) * np.diag(self.direct)
-        given = not (self.law.poles.any() or self.law.turn.any())
-        self.degree, self.pieces = (0, 1) if given else _pieces(order)
+        prescribed = not (self.law.poles.any() or self.law.turn.any())
+        self.degree, self.pieces = (0, 1) if prescribed else _pieces(order)
 
 
 class Layout:
@@ -91,12 +91,12 @@ class Layout:
                 at += (phase.degree + 1) * contacts
         self.pieces: Integers = np.array(pieces)
         self.hits, self.first_impulse = np.full((len(self.phases), contacts), -1), at
-        for own, phase in zip(self.hits, self.phases, strict=True):
-            own[phase.hit] = range(at, at + len(phase.hit))
+        for indices, phase in zip(self.hits, self.phases, strict=True):
+            indices[phase.hit] = range(at, at + len(phase.hit))
             at += len(phase.hit)
         width, count = 2 + 4 * contacts, len(cell.memory)
         self.first_memory, self.size = at, at + count
-        rows = np.array([each.value[:width] for each in cell.memory]).reshape(count, width)
+        rows = np.array([memory.value[:width] for memory in cell.memory]).reshape(count, width)
         self.setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
         self.velocity = poles.forms(np.eye(width, width + count)[places(contacts)[1]])
 
@@ -237,14 +237,14 @@ def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
     `switch.fixed`.  They are added to the constant and the linear terms of the laws: a constant
     alone does no work on a motion with the same velocities out and back.
     """
-    found, ways = np.zeros(poles.b.shape[1]), shifts(cell)[0]
-    if ways.size and poles.held is not None:
+    springs, directions = np.zeros(poles.b.shape[1]), shifts(cell)[0]
+    if directions.size and poles.held is not None:
         rows = lawful(cell, p).rows
-        event = switch(cell, p, rows).gradient @ ways
-        places_ = rows[places(len(found))[0], : 2 * len(cell.body.squares)]
-        moved = places_ @ ways[: places_.shape[1]] @ np.linalg.pinv(event[None])
-        found = poles.held.springs * moved[:, 0]
-    return found
+        event = switch(cell, p, rows).gradient @ directions
+        places_ = rows[places(len(springs))[0], : 2 * len(cell.body.squares)]
+        moved = places_ @ directions[: places_.shape[1]] @ np.linalg.pinv(event[None])
+        springs = poles.held.springs * moved[:, 0]
+    return springs
 
 
 def _pieces(order: int) -> tuple[int, int]:

@@ -20,5 +20,5 @@ def largest(k: Any) -> float:
 
 def room(factors: Complex, which: Any) -> Complex:
     """Return a view of the factors of one pole."""
-    found: Complex = factors[:, :, which]
-    return found
+    view: Complex = factors[:, :, which]
+    return view

@@ -24,12 +24,12 @@ from .integrals import (
 
 def begins_of(case: Any, times: Vector) -> Vector:
     """Return the angle of the forcing where each piece begins, and where the last ends."""
-    found = np.empty(len(case.pieces) + 1)
-    found[0] = times[len(times) - 1] if case.numbers[2] > 0 else 0.0
+    angles = np.empty(len(case.pieces) + 1)
+    angles[0] = times[len(times) - 1] if case.numbers[2] > 0 else 0.0
     for e in range(len(case.pieces)):
         p = case.pieces[e, 0]
-        found[e + 1] = found[e] + case.numbers[0] * times[p] / case.counts[p]
-    return found
+        angles[e + 1] = angles[e] + case.numbers[0] * times[p] / case.counts[p]
+    return angles
 
 
 def integrals(case: Any, times: Vector) -> tuple[Complex, Complex, Any, Complex]:
@@ -55,26 +55,26 @@ def integrals(case: Any, times: Vector) -> tuple[Complex, Complex, Any, Complex]
     Z = np.zeros((count, 2, contacts, contacts, most, most))
     turn = np.zeros((count, most), np.complex128)
     for p in range(count):
-        s, own = times[p] / case.counts[p], case.degrees[p] + 2
+        s, n = times[p] / case.counts[p], case.degrees[p] + 2
         kappa = case.s * s
-        parts = factors(kappa, own)
-        grown[p], a[p, : own + 1] = np.exp(kappa), whole(parts)
-        turn[p, :own] = moments(np.full(1, 1j * case.numbers[0] * s), own)[:, 0]
+        pole_factors = factors(kappa, n)
+        grown[p], a[p, : n + 1] = np.exp(kappa), whole(pole_factors)
+        turn[p, :n] = moments(np.full(1, 1j * case.numbers[0] * s), n)[:, 0]
         if case.degrees[p] > 0:
-            seen = responses(parts, seen_by(case, p, kappa))
-            Z[p, :, :, :, :own, :own] = seen.reshape(2, contacts, contacts, own, own)
+            weighted = responses(pole_factors, seen_by(case, p, kappa))
+            Z[p, :, :, :, :n, :n] = weighted.reshape(2, contacts, contacts, n, n)
     return grown, a, Z, turn
 
 
 def seen_by(case: Any, p: int, kappa: Complex) -> Complex:
     """Return ``law b`` and ``kappa law b`` of the poles in a phase; shape (m, 2 c c)."""
     contacts = len(case.b)
-    found = np.empty((len(kappa), 2 * contacts * contacts), np.complex128)
+    weights = np.empty((len(kappa), 2 * contacts * contacts), np.complex128)
     for k in range(contacts):
         for c in range(contacts):
-            found[:, k * contacts + c] = case.forms[p * contacts + k] * case.b[c]
-            found[:, (contacts + k) * contacts + c] = found[:, k * contacts + c] * kappa
-    return found
+            weights[:, k * contacts + c] = case.forms[p * contacts + k] * case.b[c]
+            weights[:, (contacts + k) * contacts + c] = weights[:, k * contacts + c] * kappa
+    return weights
 
 
 def carried(case: Any, grown: Complex) -> Any:
@@ -83,24 +83,24 @@ def carried(case: Any, grown: Complex) -> Any:
     Shape (E, E, m); `grown` is ``e^kappa`` of a piece of each phase.
     """
     count, sign = len(case.pieces), case.numbers[1]
-    found = np.empty((count, count, grown.shape[1]), np.complex128)
+    starts = np.empty((count, count, grown.shape[1]), np.complex128)
     for f in range(count):
-        left = np.ones_like(grown[0])
+        factor = np.ones_like(grown[0])
         for j in range(1, count + 1):
             e = (f + j) % count
             if e == 0:
-                left = sign * left
-            found[e, f] = left
-            left = left * grown[case.pieces[e, 0]]
-        found[:, f] /= 1 - left
-    return found
+                factor = sign * factor
+            starts[e, f] = factor
+            factor = factor * grown[case.pieces[e, 0]]
+        starts[:, f] /= 1 - factor
+    return starts
 
 
 def signed(values: Any) -> Any:
     """Return ``(-1)^n`` times the values of degree n."""
-    found = values.copy()
-    found[1::2] *= -1
-    return found
+    alternating = values.copy()
+    alternating[1::2] *= -1
+    return alternating
 
 
 def states(case: Any, times: Vector, grown: Complex, a: Complex) -> Any:
@@ -134,19 +134,19 @@ def states(case: Any, times: Vector, grown: Complex, a: Complex) -> Any:
 
 def value(case: Any, row: int, states: Complex, angle: float) -> tuple[Vector, float]:
     """Return a form as factors of the unknowns and a constant."""
-    found: Vector = (states @ case.forms[row]).real
-    found[case.size[1] :] += case.rest[row, 1:]
-    return found, (case.turns[row] * np.exp(1j * angle)).real + case.rest[row, 0]
+    coefficients: Vector = (states @ case.forms[row]).real
+    coefficients[case.size[1] :] += case.rest[row, 1:]
+    return coefficients, (case.turns[row] * np.exp(1j * angle)).real + case.rest[row, 0]
 
 
 def solved(A: Matrix, right: Matrix) -> Matrix:
     """Return the solution of a linear system; NaN if it is singular."""
-    found = np.full(right.shape, np.nan)
+    solution = np.full(right.shape, np.nan)
     try:
-        found[:] = np.linalg.solve(A, right)
+        solution[:] = np.linalg.solve(A, right)
     except Exception:  # a LinAlgError: numba knows no kinds
-        found[:] = np.nan
-    return found
+        solution[:] = np.nan
+    return solution
 
 
 def tested(
@@ -167,8 +167,8 @@ def tested(
         rows[0, case.size[1] :] += case.rest[row, 1:]
         for c in range(contacts):
             if count > 1:
-                own = s * Z[p, 0, k, c, :count, :count]
-                rows[:, at + c : at + count * contacts : contacts] += own
+                block = s * Z[p, 0, k, c, :count, :count]
+                rows[:, at + c : at + count * contacts : contacts] += block
             for n in range(count):
                 rows[n, at + n * contacts + c] += case.direct[p, k, c] / (2 * n + 1)
         A[at + k : at + count * contacts : contacts] = rows

@@ -69,20 +69,20 @@ class Answer:
     @cached_property
     def ends(self) -> tuple[Complex, Complex]:
         """The values of z at the start and the end of the phase; shape (m, B) each."""
-        found = self.at(np.array([0.0, self.length]))
-        return found[:, :, 0].T, found[:, :, 1].T
+        values = self.at(np.array([0.0, self.length]))
+        return values[:, :, 0].T, values[:, :, 1].T
 
     def slopes(self, side: int) -> Complex:
         """Return the derivatives of z at the start (0) or the end (1) of the phase."""
         signs = np.where(side, 1.0, (-1.0) ** np.arange(self.series.shape[1]))
-        found: Complex = self.kappa[:, None] * self.ends[side]
-        return found + self.forced * (self.series @ signs)
+        free: Complex = self.kappa[:, None] * self.ends[side]
+        return free + self.forced * (self.series @ signs)
 
     def by_waves(self, turns: Vector) -> Complex:
         """Return the integrals of the forces times ``e^(-i turns u)``; shape (J, B)."""
-        own = moments(-1j * self.length * turns.astype(complex), self.series.shape[1])
+        integrals = moments(-1j * self.length * turns.astype(complex), self.series.shape[1])
         wave = self.length * np.exp(-1j * turns * self.begin)
-        return np.asarray(wave[:, None] * (own.T @ self.series.T))
+        return np.asarray(wave[:, None] * (integrals.T @ self.series.T))
 
 
 def _legendre(u: Vector, count: int) -> Matrix:
@@ -114,7 +114,7 @@ def answers_to(
         whole.append((T * (E + sign * around * end), T * B.T))
     width = max(B.shape[1] for _, B in whole)
     b = poles.b[:, [q.contact for q in breaks]]
-    found = []
+    phases = []
     for q in range(len(ends) - 1):
         length = float(ends[q + 1] - ends[q])
         ages, series = np.empty(len(breaks)), np.zeros((len(breaks), highest + 1))
@@ -122,11 +122,11 @@ def answers_to(
         polynomials = np.zeros((*b.shape, width), dtype=complex)
         for i, (p, n, _) in enumerate(breaks):
             ages[i], side = (ends[q] - ends[p], 1) if q >= p else (1 + ends[q] - ends[p], sign)
-            decaying, rest = whole[n]
+            decaying, coefficients = whole[n]
             E[:, i] = side * b[:, i] * decaying * np.exp(kappa * ages[i])
-            polynomials[:, i, : rest.shape[1]] = side * b[:, i, None] * rest
+            polynomials[:, i, : coefficients.shape[1]] = side * b[:, i, None] * coefficients
             if n:
                 series[i] = side * break_series(highest, ages[i], length, sign)[n]
         begin = float(ends[q])
-        found.append(Answer(begin, length, E, polynomials, ages, series, T * b, kappa))
-    return found
+        phases.append(Answer(begin, length, E, polynomials, ages, series, T * b, kappa))
+    return phases

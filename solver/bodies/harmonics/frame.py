@@ -90,8 +90,8 @@ def first_function(cell: "BodyCell", p: int) -> int:
 
 def compliance(frame: Frame, forms: Forms) -> Complex:
     """Return the responses of forms to each harmonic of the forces; shape (J, k, contacts)."""
-    found = np.einsum("jm,km,mc->jkc", frame.above, forms.poles, frame.own.poles.b)
-    return of_real(found)
+    by_wave = np.einsum("jm,km,mc->jkc", frame.above, forms.poles, frame.own.poles.b)
+    return of_real(by_wave)
 
 
 def of_real(by_harmonic: Complex) -> Complex:
@@ -112,5 +112,5 @@ def values(frame: Frame, forms: Forms, q: int, side: int) -> tuple[Complex, Vect
 def integrals(frame: Frame, q: int, angles: Vector) -> Complex:
     """Return ``int e^(i angles u) du`` over a phase."""
     length = frame.ends[q + 1] - frame.ends[q]
-    own = moments(1j * angles * length, 1)[0]
-    return np.asarray(np.exp(1j * angles * frame.ends[q]) * length * own)
+    unit = moments(1j * angles * length, 1)[0]
+    return np.asarray(np.exp(1j * angles * frame.ends[q]) * length * unit)

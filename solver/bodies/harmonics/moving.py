@@ -36,27 +36,27 @@ class Moving:
         slope = slope + by_break.sum(axis=1)
         turned = 1j * forms.turn * np.exp(1j * frame.angles[at])
         drive = frame.angles[-1] - frame.angles[0]
-        along = (forms.poles @ slope + drive * turned).real
-        found = -(forms.poles @ (by_break @ self.own.T)).real
-        found += np.outer(along, self.switches == at)
-        return np.column_stack([found, turned.real])
+        rates = (forms.poles @ slope + drive * turned).real
+        derivatives = -(forms.poles @ (by_break @ self.own.T)).real
+        derivatives += np.outer(rates, self.switches == at)
+        return np.column_stack([derivatives, turned.real])
 
     def galerkin(self, A: Complex) -> Complex:
         """Return the derivatives of Galerkin's rows, the first of `A`, by inner switches."""
         frame = self.frame
-        found = np.zeros((frame.waves, len(self.switches)), dtype=complex)
+        derivatives = np.zeros((frame.waves, len(self.switches)), dtype=complex)
         waves = np.exp(-1j * frame.turns[:, None] * frame.ends)
         by_break = A[: frame.waves, frame.waves : frame.memory.start] * self.factors
         turned = (1j * frame.turns[:, None] * np.ones(self.harmonics.shape[1])).reshape(-1, 1)
-        found -= turned * (by_break @ self.own.T)
+        derivatives -= turned * (by_break @ self.own.T)
         for q, law in enumerate(frame.laws):
             for side, sign in ((0, -1), (1, 1)):
-                rows, rest = values(frame, law, q, side)
-                force = (rows @ self.unknowns).real + rest
+                rows, constant = values(frame, law, q, side)
+                force = (rows @ self.unknowns).real + constant
                 z = frame.answers[q].ends[side] * self.factors
-                own = (law.poles @ (z @ self.own.T)).real  # the part by breaks at each switch
-                own -= np.outer(force, self.switches == q + side)
-                found += sign * np.einsum("j,cr->jcr", waves[:, q + side], own).reshape(
-                    found.shape
+                part = (law.poles @ (z @ self.own.T)).real  # the part by breaks at each switch
+                part -= np.outer(force, self.switches == q + side)
+                derivatives += sign * np.einsum("j,cr->jcr", waves[:, q + side], part).reshape(
+                    derivatives.shape
                 )
-        return found
+        return derivatives

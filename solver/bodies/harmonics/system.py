@@ -64,19 +64,19 @@ def _galerkin(frame: Frame) -> Complex:
     J, contacts = len(turns), b.shape[1]
     rows = np.zeros((J, contacts, frame.size), dtype=complex)
     waves = np.einsum("jh,cd->jchd", np.eye(J), np.eye(contacts)).astype(complex)
-    apart = np.arange(J) - np.arange(J)[:, None] + J - 1  # index in `steps` of a difference
+    lags = np.arange(J) - np.arange(J)[:, None] + J - 1  # index in `steps` of a difference
     steps = (turns[1] - turns[0]) * np.arange(1 - J, J)
     breaks = slice(frame.waves, frame.memory.start)
     forced = np.array([b[:, q.contact] * (q.n > 0) for q in frame.breaks]).reshape(-1, len(b)).T
     for q, law in enumerate(frame.laws):
-        own = integrals(frame, q, steps)[apart]
-        waves -= np.einsum("hcd,jh->jchd", compliance(frame, law), own)
+        overlaps = integrals(frame, q, steps)[lags]
+        waves -= np.einsum("hcd,jh->jchd", compliance(frame, law), overlaps)
         by_pole = np.einsum("jm,cm->jcm", frame.above, law.poles)
-        found = by_pole @ forced * frame.answers[q].by_waves(turns)[:, None, :]
+        by_break = by_pole @ forced * frame.answers[q].by_waves(turns)[:, None, :]
         for side, z in enumerate(frame.answers[q].ends):
             wave = np.exp(-1j * turns * frame.ends[q + side])[:, None, None]
-            found += (-1) ** side * wave * (by_pole @ z) / T
-        rows[:, :, breaks] -= of_real(found)
+            by_break += (-1) ** side * wave * (by_pole @ z) / T
+        rows[:, :, breaks] -= of_real(by_break)
         rows[:, :, frame.memory] -= integrals(frame, q, -turns)[:, None, None] * law.memory
     rows[:, :, : frame.waves] = waves.reshape(J, contacts, -1)
     waving = turns != 0  # the mean of a function is 0
@@ -90,36 +90,36 @@ def _galerkin(frame: Frame) -> Complex:
 def _driven(frame: Frame, angle: float) -> Complex:
     """Return the harmonics of the part of the laws by a forcing with initial phase `angle`."""
     drive = frame.angles[-1] - frame.angles[0]
-    found = np.zeros((len(frame.turns), frame.own.poles.b.shape[1]), dtype=complex)
+    harmonics = np.zeros((len(frame.turns), frame.own.poles.b.shape[1]), dtype=complex)
     for q, law in enumerate(frame.laws):
         turned = np.exp(1j * angle) * law.turn / 2
-        found += integrals(frame, q, drive - frame.turns)[:, None] * turned
-        found += integrals(frame, q, -drive - frame.turns)[:, None] * turned.conj()
-    return found.ravel()
+        harmonics += integrals(frame, q, drive - frame.turns)[:, None] * turned
+        harmonics += integrals(frame, q, -drive - frame.turns)[:, None] * turned.conj()
+    return harmonics.ravel()
 
 
 def _statements(cell: "BodyCell", frame: Frame) -> Iterator[Statement]:
     """Yield the equations of the factors of functions, the impulses and the memory."""
-    own, at, contacts = frame.own, frame.waves, frame.own.poles.b.shape[1]
+    layout, at, contacts = frame.own, frame.waves, frame.own.poles.b.shape[1]
     for p in range(len(frame.laws)):
         after, before = frame.laws[p], frame.laws[p - 1]
         sign, left = (1, p - 1) if p else (cell.sign, len(frame.laws) - 1)
         first = first_function(cell, p)
         for n in range(1, first + frame.functions if frame.functions else 1):
             if n >= first:
-                place, size = slice(at, at + contacts), frame.T ** (n - 1) * np.eye(contacts)
-                yield Statement(place, size, after, p, 0)
-                yield Statement(place, -sign * size, before, left, 1)
+                block, size = slice(at, at + contacts), frame.T ** (n - 1) * np.eye(contacts)
+                yield Statement(block, size, after, p, 0)
+                yield Statement(block, -sign * size, before, left, 1)
                 at += contacts
-            after = own.poles.rate(after, frame.laws[p])
-            before = own.poles.rate(before, frame.laws[left])
-    for p, phase in enumerate(own.phases):
-        weights, place = phase.impulse[phase.hit], slice(at, at + len(phase.hit))
-        yield Statement(place, weights[:, :-1], own.velocity, p, 1, weights[:, -1])
+            after = layout.poles.rate(after, frame.laws[p])
+            before = layout.poles.rate(before, frame.laws[left])
+    for p, phase in enumerate(layout.phases):
+        weights, block = phase.impulse[phase.hit], slice(at, at + len(phase.hit))
+        yield Statement(block, weights[:, :-1], layout.velocity, p, 1, weights[:, -1])
         at += len(phase.hit)
-    for i, each in enumerate(cell.memory):
+    for i, memory in enumerate(cell.memory):
         row = np.eye(len(cell.memory))[i : i + 1]
-        yield Statement(slice(at + i, at + i + 1), row, own.setting, each.phase, 0)
+        yield Statement(slice(at + i, at + i + 1), row, layout.setting, memory.phase, 0)
 
 
 def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, Vector]:
@@ -131,10 +131,10 @@ def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, 
         for q, law in enumerate(frame.laws)
     )
     right[: frame.waves] = np.ravel(sum(alone)) + _driven(frame, frame.angles[0])
-    for place, weights, forms, q, side, constant in _statements(cell, frame):
-        rows, rest = values(frame, forms, q, side)
-        A[place] -= weights @ rows
-        right[place] += weights @ rest + constant
+    for block, weights, forms, q, side, constant in _statements(cell, frame):
+        rows, offsets = values(frame, forms, q, side)
+        A[block] -= weights @ rows
+        right[block] += weights @ offsets + constant
     ends = [values(frame, phase.event, p, 1) for p, phase in enumerate(frame.own.phases)]
     events, constants = (
         np.vstack([q for q, _ in ends]),
@@ -158,16 +158,16 @@ def _fixing(frame: Frame) -> tuple[Indices, Matrix]:
 
 def _mean_fixes(cell: "BodyCell") -> bool:
     """Whether constant contact forces act on the directions that periodicity leaves open."""
-    _, ways = shifts(cell)
-    if not (ways.size and cell.forced and len(cell.phases) == 1):
+    _, directions = shifts(cell)
+    if not (directions.size and cell.forced and len(cell.phases) == 1):
         return True
     part, count = parts_of(cell)[0], len(cell.body.squares)
     force = np.vstack([np.zeros_like(cell.body.at), cell.body.at])
     drives = np.zeros((3, *force.shape), dtype=complex)
     drives[2] = part.flow.inverse @ force
     answer = (part.flow.basis @ part.flow.answered(drives, np.asarray(cell.duration))).real
-    seen = ways.T @ part.switch.state[:, : 2 * count] @ answer
-    return bool(cell.sign > 0 and np.abs(seen).max() > UNSEEN * np.abs(answer).max())
+    moved = directions.T @ part.switch.state[:, : 2 * count] @ answer
+    return bool(cell.sign > 0 and np.abs(moved).max() > UNSEEN * np.abs(answer).max())
 
 
 @kept_by_times(8)
@@ -226,8 +226,8 @@ def _moved(
     moved = np.zeros((len(A), len(frame.laws)), dtype=complex)
     moved[: frame.waves, :-1] = moving.galerkin(A)
     moved[: frame.waves, -1] = -_driven(frame, frame.angles[0] + np.pi / 2)
-    for place, weights, forms, q, side, _ in _statements(cell, frame):
-        moved[place] -= weights @ moving.of(forms, q, side)
+    for block, weights, forms, q, side, _ in _statements(cell, frame):
+        moved[block] -= weights @ moving.of(forms, q, side)
     phases = enumerate(frame.own.phases)
     shifted = np.vstack([moving.of(phase.event, p, 1) for p, phase in phases])
     mean, fixing = _fixing(frame)

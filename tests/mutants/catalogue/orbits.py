@@ -350,8 +350,8 @@ MUTANTS = (
     Mutant(
         "the force series answers an odd polynomial as it begins, not as it ends",
         "solver/bodies/force_series/series.py",
-        "found[1::2] *= -1",
-        "found[1::2] *= 1",
+        "alternating[1::2] *= -1",
+        "alternating[1::2] *= 1",
         (f"{BALLS_OF_BODIES}::test_solutions_in_balls_are_those_of_the_kernels",),
     ),
     Mutant(

@@ -84,15 +84,15 @@ MUTANTS = (
     Mutant(
         "the modes left out of a body answer as if they were stiffer",
         "solver/bodies/modal.py",
-        "before, found = found, first + shift * without(stiff(M @ found))",
-        "before, found = found, first",
+        "before, response = response, first + shift * without(stiff(M @ response))",
+        "before, response = response, first",
         ("tests/bodies/test_large_and_free_bodies.py",),
     ),
     Mutant(
         "natural modes keep what the computation of eigenvalues left of them",
         "solver/bodies/modes.py",
-        "shapes + (shapes @ turns + others)",
-        "shapes + others",
+        "shapes + (shapes @ turns + outside)",
+        "shapes + outside",
         ("tests/bodies/test_natural_modes.py",),
     ),
     Mutant(
@@ -105,15 +105,15 @@ MUTANTS = (
     Mutant(
         "a velocity moves no place of a body that nothing holds",
         "solver/bodies/flow.py",
-        "        found[: self.free] += start[self.free : 2 * self.free, None] * t",
+        "        states[: self.free] += start[self.free : 2 * self.free, None] * t",
         "",
         FREELY,
     ),
     Mutant(
         "a law leaves out what holds a body that moves freely",
         "solver/bodies/poles.py",
-        "                found[..., force] = -taken",
-        "                found[..., force] = 0.0",
+        "                variables[..., force] = -reaction",
+        "                variables[..., force] = 0.0",
         FREELY,
     ),
     Mutant(
