@@ -25,9 +25,9 @@ Residual = Callable[[Any, Any, Any], None]
 
 def residual_in_balls(residual: Callable[..., None]) -> Residual:
     """Return the residual of a kernel over balls, at the precision in force."""
-    own = _plain(residual)
-    found: Residual = _functions(own, ctx.dps)[own.__name__]
-    return found
+    function = _plain(residual)
+    in_balls: Residual = _functions(function, ctx.dps)[function.__name__]
+    return in_balls
 
 
 def _plain(value: Any) -> Any:
@@ -49,15 +49,15 @@ def _functions(first: FunctionType, digits: int) -> dict[str, Any]:
         "spherical_bessel": spherical_bessel,
         "rising": rising,
     }
-    wanted = [first]
-    while wanted:
-        function = wanted.pop()
+    pending = [first]
+    while pending:
+        function = pending.pop()
         tree = _Exact().visit(ast.parse(inspect.getsource(function)))
         exec(compile(ast.fix_missing_locations(tree), "in balls", "exec"), namespace)
         for name in {*function.__code__.co_names} - namespace.keys():
             used = _plain(function.__globals__.get(name))
             if isinstance(used, FunctionType):
-                wanted.append(used)
+                pending.append(used)
             elif isinstance(used, int):
                 namespace[name] = used
     return namespace

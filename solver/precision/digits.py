@@ -126,16 +126,16 @@ def extremes(case: Case) -> tuple[tuple[str, Case], ...]:
         If a formula of an extreme has no value for these parameters, or one that is not a
         parameter of an oscillator.
     """
-    words = getattr(case.scene.module, "EXTREMES", ())
+    labels = getattr(case.scene.module, "EXTREMES", ())
     try:
-        values = case.scene.numbers("extremes", tuple(case.values.values())) if words else ()
+        values = case.scene.numbers("extremes", tuple(case.values.values())) if labels else ()
     except (ZeroDivisionError, OverflowError, ValueError) as error:
         raise ParameterError([f"extremes: no numbers for these parameters ({error})"]) from None
     return (
         ("", case),
         *(
-            (said, Case(case.scene, dict(zip(case.values, each, strict=True)), case.cycles))
-            for said, each in zip(words, values, strict=True)
+            (label, Case(case.scene, dict(zip(case.values, numbers, strict=True)), case.cycles))
+            for label, numbers in zip(labels, values, strict=True)
         ),
     )
 
@@ -163,12 +163,12 @@ def measure(
     ParameterError
         If parameters at an extreme are not those of an oscillator.
     """
-    found = []
-    for words, each in extremes(case):
-        for kept in at(words, each, orders, methods):
+    accuracies = []
+    for words, extreme in extremes(case):
+        for kept in at(words, extreme, orders, methods):
             progress(kept)
-            found.append(kept)
-    return found
+            accuracies.append(kept)
+    return accuracies
 
 
 def at(
@@ -184,9 +184,9 @@ def at(
             for order in orders:
                 yield Kept(words, name, order, finding.status)
         return
-    case, found, sensitive = exact.case, exact.outcome, condition(exact)
-    kept = Kept(words, EXACT, None, "not-converged", None, None, sensitive, found.iterations)
-    yield _against_balls(kept, case, exact_kernel(case.cell), case.cell, found.unknowns)
+    case, outcome, sensitive = exact.case, exact.outcome, condition(exact)
+    kept = Kept(words, EXACT, None, "not-converged", None, None, sensitive, outcome.iterations)
+    yield _against_balls(kept, case, exact_kernel(case.cell), case.cell, outcome.unknowns)
     for name in names:
         for order in orders:
             kept = Kept(words, name, order, "not-converged", orbit_condition=sensitive)
@@ -200,11 +200,11 @@ def _of_method(kept: Kept, exact: ExactOrbit, method: str, order: int) -> Kept:
     kernel = registry.kernel(case.scene, method, functions)
     if order < kernel.lowest:
         return kept
-    found = attempt(kernel, case, order, kernel.times(exact.outcome.unknowns), functions)
-    kept = replace(kept, iterations=found.iterations)
-    if not (found.converged and found.admissible):
+    outcome = attempt(kernel, case, order, kernel.times(exact.outcome.unknowns), functions)
+    kept = replace(kept, iterations=outcome.iterations)
+    if not (outcome.converged and outcome.admissible):
         return kept
-    return _against_balls(kept, case, kernel, kernel.given(case, order), found.unknowns)
+    return _against_balls(kept, case, kernel, kernel.given(case, order), outcome.unknowns)
 
 
 def _against_balls(kept: Kept, case: Case, kernel: Kernel, arguments: Any, z: Vector) -> Kept:
@@ -217,11 +217,11 @@ def _against_balls(kept: Kept, case: Case, kernel: Kernel, arguments: Any, z: Ve
         precise = refine(kernel, arguments, z, DIGITS, in_balls(case, kept.method))
     except PrecisionError:
         return kept
-    off = [float(abs(a - float(b))) for a, b in zip(precise, kernel.times(z), strict=True)]
+    errors = [float(abs(a - float(b))) for a, b in zip(precise, kernel.times(z), strict=True)]
     if case.cell.forced:
-        off[-1] /= case.cell.omega
+        errors[-1] /= case.cell.omega
     period = float(np.sum(kernel.split(z)[0])) * case.cell.cells
-    return replace(kept, status="ok", error=max(off) / period)
+    return replace(kept, status="ok", error=max(errors) / period)
 
 
 def _unknowns(case: Case, kernel: Kernel, z: Vector) -> Vector:

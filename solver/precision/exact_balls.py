@@ -14,17 +14,17 @@ from ..scenes.cell import Cell, Form, Phase
 
 def residual(cell: Cell, z: Sequence[Any], R: Any) -> None:
     """Fill R with the residuals of all conditions, in the order of ``flow.exact_system``."""
-    count, more = len(cell.phases), len(cell.memory)
-    memory, durations = z[2 * count : 2 * count + more], z[2 * count + more :][:count]
+    count, memories = len(cell.phases), len(cell.memory)
+    memory, durations = z[2 * count : 2 * count + memories], z[2 * count + memories :][:count]
     omega = arb(cell.omega)
     angle = z[-1] if cell.forced else arb(0)
     phases = cell.remembering(list(memory)).phases
     for p, phase in enumerate(phases):
         after = (p + 1) % count
         state = [z[2 * p], z[2 * p + 1], arb(1), angle.cos(), angle.sin()]
-        for i, each in enumerate(cell.memory):
-            if each.phase == p:
-                R[3 * count + i] = memory[i] - _value(each.value, state)
+        for i, remembered in enumerate(cell.memory):
+            if remembered.phase == p:
+                R[3 * count + i] = memory[i] - _value(remembered.value, state)
         flow = (_generator(phase, omega) * durations[p]).exp()
         end = [row[0] for row in (flow * arb_mat([[q] for q in state])).tolist()]
         sign = cell.sign if after == 0 else 1
@@ -35,7 +35,7 @@ def residual(cell: Cell, z: Sequence[Any], R: Any) -> None:
         angle = angle + omega * durations[p]
     if cell.forced:
         duration = 2 * arb.pi() * cell.cycles / omega / cell.cells
-        R[3 * count + more] = sum(durations, arb(0)) - duration
+        R[3 * count + memories] = sum(durations, arb(0)) - duration
 
 
 def _value(form: Form, state: Sequence[Any]) -> Any:

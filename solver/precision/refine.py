@@ -55,10 +55,10 @@ def refine(
     working = digits + GUARD
     while working <= MOST_DIGITS:
         with ctx.workdps(working):
-            in_balls, given = residual, arguments
+            in_balls, inputs = residual, arguments
             if in_balls is None:
-                in_balls, given = residual_in_balls(kernel.residual), as_balls(arguments)
-            times = _refined(kernel, in_balls, given, start, inverse, digits)
+                in_balls, inputs = residual_in_balls(kernel.residual), as_balls(arguments)
+            times = _refined(kernel, in_balls, inputs, start, inverse, digits)
         if times is not None:
             return times
         working *= 2

@@ -68,10 +68,10 @@ def solved(A: Balls, right: Balls) -> Balls:
     real = all(isinstance(q, arb) for q in (*A.flat, *right.flat))
     matrix: Any = arb_mat if real else acb_mat
     try:
-        found = matrix(A.tolist()).solve(matrix(right.tolist()))
+        solution = matrix(A.tolist()).solve(matrix(right.tolist()))
     except ZeroDivisionError:
         return np.full(right.shape, arb("nan"))
-    return np.array(found.tolist(), dtype=object).reshape(right.shape)
+    return np.array(solution.tolist(), dtype=object).reshape(right.shape)
 
 
 class Body:
@@ -127,8 +127,8 @@ class Body:
         A[:count, count:] = balls(np.eye(count))
         A[count:, :count] = balls(np.diag(-self.modal.squares))
         A[count:, count:] = balls(-self.modal.damping)
-        for part, held in zip((slice(count), slice(count, None)), self._holding, strict=True):
-            A[count:, part] = A[count:, part] - held
+        for part, block in zip((slice(count), slice(count, None)), self._holding, strict=True):
+            A[count:, part] = A[count:, part] - block
         try:
             s, basis = acb_mat(A.tolist()).eig(right=True)
         except ValueError:
@@ -137,11 +137,11 @@ class Body:
         forced = np.concatenate([balls(np.zeros(at.shape)), at])
         b, c = solved(basis, forced), basis[:count].T @ at
         real = np.array([q.imag.contains(0) for q in s])
-        kept = real | np.array([bool(q.imag > 0) for q in s])
+        upper = real | np.array([bool(q.imag > 0) for q in s])
         for i, row in enumerate(c):  # drop poles at 0 that no contact sees
-            kept[i] &= not all(q.contains(0) for q in (s[i], *row))
-        double = np.where(real, 1, 2)[kept, None]
-        return np.array(s, dtype=object)[kept], b[kept], c[kept] * double
+            upper[i] &= not all(q.contains(0) for q in (s[i], *row))
+        double = np.where(real, 1, 2)[upper, None]
+        return np.array(s, dtype=object)[upper], b[upper], c[upper] * double
 
     @cached_property
     def response(self) -> Balls:
@@ -151,15 +151,15 @@ class Body:
         springs, dampers = self._holding
         A = squares + springs + turn * (damping + dampers)
         A = A + turn * turn * balls(np.eye(len(squares)))
-        found = solved(A, balls(body.forcing.astype(complex))[:, None])[:, 0]
-        return balls(body.at).T @ found + balls(body.beyond)
+        amplitudes = solved(A, balls(body.forcing.astype(complex))[:, None])[:, 0]
+        return balls(body.at).T @ amplitudes + balls(body.beyond)
 
     @property
     def _holding(self) -> tuple[Balls, Balls]:
         """Matrices of the added springs and dampers, in modal coordinates."""
         at, zero = balls(self.modal.at), np.zeros(self.modal.at.shape[1])
-        held = (zero, zero) if self.held is None else (self.held.springs, self.held.dampers)
-        springs, dampers = (at * balls(q) @ at.T for q in held)
+        factors = (zero, zero) if self.held is None else (self.held.springs, self.held.dampers)
+        springs, dampers = (at * balls(q) @ at.T for q in factors)
         return springs, dampers
 
     def forms(self, rows: Balls) -> Forms:
@@ -168,12 +168,12 @@ class Body:
         contacts = c.shape[1]
         width, rates = 2 + 4 * contacts, np.append(s, acb(0, 1) * self.omega)
         place, residual = np.column_stack([c.T, self.response]), balls(self.modal.residual)
-        seen = balls(np.zeros((width, len(rates))))
+        variables = balls(np.zeros((width, len(rates))))
         direct = balls(np.zeros((width, contacts)))
         x, v, force, a = places(contacts)
         for order, which in enumerate((x, v, a)):
-            seen[which] = place * rates**order
-        seen[2, -1] = arb(1)
+            variables[which] = place * rates**order
+        variables[2, -1] = arb(1)
         direct[x], direct[force] = residual, balls(np.eye(contacts))
         direct[a] = balls(self.modal.at).T @ balls(self.modal.at)
         if self.held is not None:  # of what is left out nothing is held
@@ -181,10 +181,10 @@ class Body:
                 balls(q)[:, None] for q in (self.held.springs, self.held.dampers)
             )
             place[:, -1] = place[:, -1] - balls(self.modal.beyond)
-            taken = place * (springs + dampers * rates)
-            seen[force], seen[x] = -taken, seen[x] - residual @ taken
+            reaction = place * (springs + dampers * rates)
+            variables[force], variables[x] = -reaction, variables[x] - residual @ reaction
         factors, memory = rows[:, :width], rows[:, width:]
-        of_rates = factors @ seen
+        of_rates = factors @ variables
         return Forms(of_rates[:, :-1], of_rates[:, -1], rows[:, 3], memory, factors @ direct)
 
     def event(self, phase: "BodyPhase") -> Forms:
@@ -194,11 +194,11 @@ class Body:
 
 def laws(phase: "BodyPhase") -> Balls:
     """Return the laws of a phase as rows; that of a held contact with its velocity added."""
-    found = balls(np.array(phase.laws, dtype=float))
+    rows = balls(np.array(phase.laws, dtype=float))
     if phase.held:
-        found[0, 1] += found[0, 5]
-        found[0, 3] -= found[0, 5] * arb(phase.speed)
-    return found
+        rows[0, 1] += rows[0, 5]
+        rows[0, 3] -= rows[0, 5] * arb(phase.speed)
+    return rows
 
 
 def closed(own: Forms, law: Forms) -> Forms:
@@ -257,12 +257,12 @@ def statements(
     for p in range(len(cell.phases)):
         hit, mobility, factors, constants = impulses(cell, p)
         if hit:
-            rows, rest = values(velocity, p, 1)
-            moved = (factors * rest[hit] + constants)[:, None]
+            rows, offsets = values(velocity, p, 1)
+            moved = (factors * offsets[hit] + constants)[:, None]
             right = np.hstack([factors[:, None] * rows[hit], moved])
-            for *row, known in solved(mobility.astype(object), right):
-                yield np.array(row, dtype=object), known
-    for each in cell.memory:
-        form = balls([[*each.value[: 2 + 4 * contacts], *([0.0] * memory)]])
-        (row,), (known,) = values(body.forms(form), each.phase, 0)
-        yield row, known
+            for *row, offset in solved(mobility.astype(object), right):
+                yield np.array(row, dtype=object), offset
+    for remembered in cell.memory:
+        form = balls([[*remembered.value[: 2 + 4 * contacts], *([0.0] * memory)]])
+        (row,), (offset,) = values(body.forms(form), remembered.phase, 0)
+        yield row, offset

@@ -36,20 +36,20 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
     for p in range(count):
         law = laws(cell.carrying(p))
         forces = -solved(law @ free.by_force, law @ free.rows)
-        A, seen = free.A + free.B @ forces, free.rows + free.by_force @ forces
+        A, variables = free.A + free.B @ forces, free.rows + free.by_force @ forces
         flows.append(np.array(arb_mat((A * times[p]).tolist()).exp().tolist(), dtype=object))
-        events.append(balls(cell.carrying(p).event) @ seen)
-        switches.append(_switch(cell, p, free, seen[places(cell.body.at.shape[1])[1]]))
+        events.append(balls(cell.carrying(p).event) @ variables)
+        switches.append(_switch(cell, p, free, variables[places(cell.body.at.shape[1])[1]]))
     units = np.append(1 / scales(cell.body, cell.omega), np.ones(clock // 2))  # of places first
     _fix(switches, events, *(q[:clock] * units[:, None] for q in shifts(cell)))
     whole = balls(np.eye(len(flows[0])))
     for flow, switch in zip(flows, switches, strict=True):
         whole = switch @ (flow @ whole)
-    own = [*range(clock), *range(clock + 3, len(whole))]
+    unknown = [*range(clock), *range(clock + 3, len(whole))]
     Y = balls(np.zeros(len(whole)))
     Y[clock : clock + 3] = angle.cos(), angle.sin(), arb(1)
-    closing = balls(np.eye(len(own))) - whole[np.ix_(own, own)]
-    Y[own] = solved(closing, (whole[own] @ Y)[:, None])[:, 0]
+    closing = balls(np.eye(len(unknown))) - whole[np.ix_(unknown, unknown)]
+    Y[unknown] = solved(closing, (whole[unknown] @ Y)[:, None])[:, 0]
     for p in range(count):
         Y = flows[p] @ Y
         R[p] = events[p] @ Y
@@ -60,32 +60,32 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
 
 def _free(cell: "BodyCell", body: Body) -> Free:
     """Return the matrices of a body with free contacts, over the state Y."""
-    own, memory, contacts = body.modal, len(cell.memory), body.modal.at.shape[1]
-    count, at = len(own.squares), balls(own.at)
-    place, velocity, clock = slice(count), slice(count, 2 * count), 2 * count
+    modal, memory, contacts = body.modal, len(cell.memory), body.modal.at.shape[1]
+    count, at = len(modal.squares), balls(modal.at)
+    displacement, velocity, clock = slice(count), slice(count, 2 * count), 2 * count
     A = balls(np.zeros((clock + 3 + memory,) * 2))
-    A[place, velocity] = balls(np.eye(count))
-    A[velocity, place], A[velocity, velocity] = (
-        balls(-np.diag(own.squares)),
-        -balls(own.damping),
+    A[displacement, velocity] = balls(np.eye(count))
+    A[velocity, displacement], A[velocity, velocity] = (
+        balls(-np.diag(modal.squares)),
+        -balls(modal.damping),
     )
-    A[velocity, clock] = balls(own.forcing)
+    A[velocity, clock] = balls(modal.forcing)
     A[clock, clock + 1], A[clock + 1, clock] = -body.omega, body.omega
     B = balls(np.zeros((len(A), contacts)))
     B[velocity] = at
     x, v, force, a = places(contacts)
     size = 2 + 4 * contacts
     rows = balls(np.zeros((size + memory, len(A))))
-    rows[x, place], rows[v, velocity], rows[a] = at.T, at.T, at.T @ A[velocity]
+    rows[x, displacement], rows[v, velocity], rows[a] = at.T, at.T, at.T @ A[velocity]
     rows[2, clock] = rows[3, clock + 2] = arb(1)
     rows[size:, clock + 3 :] = balls(np.eye(memory))
     for order, which in enumerate((x, v, a)):  # Re(h (i Omega)^order e^(i theta))
-        turned = balls(own.beyond) * (acb(0, 1) * body.omega) ** order
+        turned = balls(modal.beyond) * (acb(0, 1) * body.omega) ** order
         for row, h in zip(which, turned, strict=True):
             rows[row, clock] = rows[row, clock] + h.real
             rows[row, clock + 1] = rows[row, clock + 1] - h.imag
     by_force = balls(np.zeros((size + memory, contacts)))
-    by_force[x], by_force[force] = balls(own.residual), balls(np.eye(contacts))
+    by_force[x], by_force[force] = balls(modal.residual), balls(np.eye(contacts))
     by_force[a] = at.T @ at
     return Free(A, B, rows, by_force)
 
@@ -98,35 +98,35 @@ def _fix(switches: list[Balls], events: list[Balls], before: Matrix, after: Matr
     """
     if not before.size:
         return
-    seen, moved = (balls(np.zeros((len(events[0]), before.shape[1]))) for _ in range(2))
-    seen[: len(before)], moved[: len(after)] = balls(before), balls(after)
-    by_event = np.array(events) @ seen
-    for p, own in enumerate(by_event):
-        if any(q != 0 for q in own):
-            shift = moved @ own / (own @ own)
+    start, moved = (balls(np.zeros((len(events[0]), before.shape[1]))) for _ in range(2))
+    start[: len(before)], moved[: len(after)] = balls(before), balls(after)
+    by_event = np.array(events) @ start
+    for p, by_shift in enumerate(by_event):
+        if any(q != 0 for q in by_shift):
+            shift = moved @ by_shift / (by_shift @ by_shift)
             switches[p] = switches[p] - shift[:, None] * events[p]
-    _, sizes, turns = np.linalg.svd(by_event.astype(float))
-    unseen = moved @ balls(turns[(sizes > UNSEEN * np.abs(before).max()).sum() :].T)
+    _, sizes, Vh = np.linalg.svd(by_event.astype(float))
+    unseen = moved @ balls(Vh[(sizes > UNSEEN * np.abs(before).max()).sum() :].T)
     if unseen.size:
-        along = solved(unseen.T @ unseen, unseen.T @ switches[-1])
-        switches[-1] = switches[-1] - unseen @ along
+        factors = solved(unseen.T @ unseen, unseen.T @ switches[-1])
+        switches[-1] = switches[-1] - unseen @ factors
 
 
 def _switch(cell: "BodyCell", p: int, free: Free, velocities: Balls) -> Balls:
     """Return the matrix of the switch at the end of a phase."""
     count, after = len(cell.body.squares), (p + 1) % len(cell.phases)
-    size, clock, found = 2 + 4 * cell.body.at.shape[1], 2 * count, balls(np.eye(len(free.A)))
+    size, clock, matrix = 2 + 4 * cell.body.at.shape[1], 2 * count, balls(np.eye(len(free.A)))
     hit, mobility, factors, constants = impulses(cell, p)
     if hit:
         right = factors[:, None] * velocities[hit]
         right[:, clock + 2] = right[:, clock + 2] + constants
-        found = found + free.B[:, hit] @ solved(mobility, right)
+        matrix = matrix + free.B[:, hit] @ solved(mobility, right)
     sign = cell.sign if after == 0 else 1
-    for i, each in enumerate(cell.memory):
-        if each.phase == after:  # of the mirrored state
-            form = balls(np.array(each.value[:size], dtype=float))
+    for i, remembered in enumerate(cell.memory):
+        if remembered.phase == after:  # of the mirrored state
+            form = balls(np.array(remembered.value[:size], dtype=float))
             form[3] = sign * form[3]
-            found[clock + 3 + i] = form @ (free.rows[:size] @ found)
-    mirrored = [*range(clock + 2), *range(clock + 3, len(found))]
-    found[mirrored] = sign * found[mirrored]
-    return found
+            matrix[clock + 3 + i] = form @ (free.rows[:size] @ matrix)
+    mirrored = [*range(clock + 2), *range(clock + 3, len(matrix))]
+    matrix[mirrored] = sign * matrix[mirrored]
+    return matrix

@@ -28,17 +28,17 @@ def function(n: int, sign: int) -> list[Fraction]:
     >>> function(1, 1)
     [Fraction(1, 2), Fraction(-1, 1)]
     """
-    found = [Fraction(1, 2)] if sign < 0 else [Fraction(1, 2), Fraction(-1)]
+    coefficients = [Fraction(1, 2)] if sign < 0 else [Fraction(1, 2), Fraction(-1)]
     for _ in range(n - 1):
-        found = [Fraction(0), *(q / (i + 1) for i, q in enumerate(found))]
-        mean = sum((q / (i + 1) for i, q in enumerate(found)), Fraction(0))
-        found[0] -= mean if sign > 0 else sum(found, Fraction(0)) / 2
-    return found
+        coefficients = [Fraction(0), *(q / (i + 1) for i, q in enumerate(coefficients))]
+        mean = sum((q / (i + 1) for i, q in enumerate(coefficients)), Fraction(0))
+        coefficients[0] -= mean if sign > 0 else sum(coefficients, Fraction(0)) / 2
+    return coefficients
 
 
 def legendre(powers: list[Fraction], age: Any, length: Any) -> dict[int, Any]:
     """Return the coefficients of ``p(age + length u)`` in the polynomials ``P_j*(u)``, by j."""
-    found: dict[int, Any] = {}
+    coefficients: dict[int, Any] = {}
     for k in range(len(powers)):
         derivative = arb(0)
         for i in range(k, len(powers)):
@@ -46,8 +46,8 @@ def legendre(powers: list[Fraction], age: Any, length: Any) -> dict[int, Any]:
             derivative = derivative + _ball(part) * age ** (i - k)
         for j in range(k + 1):  # u^k
             part = Fraction((2 * j + 1) * factorial(k), factorial(k - j) * factorial(k + j + 1))
-            found[j] = found.get(j, arb(0)) + derivative * length**k * _ball(part)
-    return found
+            coefficients[j] = coefficients.get(j, arb(0)) + derivative * length**k * _ball(part)
+    return coefficients
 
 
 def _ball(part: Fraction) -> Any:
@@ -127,9 +127,9 @@ class Frame:
         states = self.pieces[q].end if side else self.pieces[q].start
         rows = np.full((len(forms.poles), self.size), acb(0), dtype=object)
         rows[:, : self.waves] = harmonics.transpose(1, 0, 2).reshape(len(rows), -1)
-        rows[:, self.waves : self.memory], known = at_end(forms, states, self.angles[q + side])
+        rows[:, self.waves : self.memory], offset = at_end(forms, states, self.angles[q + side])
         rows[:, self.memory :] = forms.memory
-        return rows, known
+        return rows, offset
 
 
 def _turns(order: int, sign: int) -> list[Any]:
@@ -145,11 +145,11 @@ def _breaks(given: Given) -> list[tuple[int, int, int]]:
     cell, functions = given.cell, range(given.functions or 0)
     count, contacts = len(cell.phases), range(cell.body.at.shape[1])
     classes = [max(k, 1) for k in cell.classes]
-    found = [(p, classes[p] + i, c) for p in range(count) for i in functions for c in contacts]
-    return found + [(p + 1, 0, c) for p in range(count) for c in impulses(cell, p)[0]]
+    smooth = [(p, classes[p] + i, c) for p in range(count) for i in functions for c in contacts]
+    return smooth + [(p + 1, 0, c) for p in range(count) for c in impulses(cell, p)[0]]
 
 
 def of_real(by_harmonic: Balls) -> Balls:
     """Return the harmonics of the real part of a function with these harmonics."""
-    other = [acb(q).conjugate() for q in by_harmonic[::-1].ravel()]
-    return (by_harmonic + np.array(other, dtype=object).reshape(by_harmonic.shape)) / 2
+    conjugates = [acb(q).conjugate() for q in by_harmonic[::-1].ravel()]
+    return (by_harmonic + np.array(conjugates, dtype=object).reshape(by_harmonic.shape)) / 2

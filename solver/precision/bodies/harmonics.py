@@ -25,27 +25,27 @@ def residual(given: Given, times: Any, R: Any) -> None:
     A = np.full((frame.size, frame.size), acb(0), dtype=object)
     right = np.full(frame.size, acb(0), dtype=object)
     A[: frame.waves], right[: frame.waves] = _galerkin(frame)
-    others = chain(_smooth(frame), statements(cell, frame.body, frame.values))
-    for place, (row, known) in enumerate(others, frame.waves):
-        A[place], right[place] = -row, known
-        A[place, place] = A[place, place] + 1
+    equations = chain(_smooth(frame), statements(cell, frame.body, frame.values))
+    for index, (row, offset) in enumerate(equations, frame.waves):
+        A[index], right[index] = -row, offset
+        A[index, index] = A[index, index] + 1
     ends = []
     for p, phase in enumerate(cell.phases):
-        (row,), (known,) = frame.values(frame.body.event(phase), p, 1)
-        for place, factor in _fixing(frame, p):
-            A[place], right[place] = A[place] + factor * row, right[place] - factor * known
-        ends.append((row, known))
+        (row,), (offset,) = frame.values(frame.body.event(phase), p, 1)
+        for index, factor in _fixing(frame, p):
+            A[index], right[index] = A[index] + factor * row, right[index] - factor * offset
+        ends.append((row, offset))
     unknowns = solved(A, right[:, None])[:, 0]
-    for p, (row, known) in enumerate(ends):
-        R[p] = acb(row @ unknowns).real + known
+    for p, (row, offset) in enumerate(ends):
+        R[p] = acb(row @ unknowns).real + offset
     if cell.forced:
         R[frame.count] = sum(times[: frame.count], arb(0)) - frame.T
 
 
 def _fixing(frame: Frame, p: int) -> Iterator[tuple[int, Any]]:
     """Yield the rows of the mean forces, and factors of an event added to them, 0 on orbits."""
-    own = for_harmonics(frame.cell).phases[p]
-    factors = balls(own.fixing / np.diag(own.direct)) / frame.count
+    phase = for_harmonics(frame.cell).phases[p]
+    factors = balls(phase.fixing / np.diag(phase.direct)) / frame.count
     for h, turn in enumerate(frame.turns):
         if turn.contains(0):
             yield from enumerate(factors, h * len(factors))
@@ -60,30 +60,30 @@ def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
     turn = (acb(0, 1) * frame.angles[0]).exp() / 2
     for q, law in enumerate(frame.laws):
         compliance = frame.compliance(law)
-        apart = {d: frame.integral(q, d * step) for d in range(1 - J, J)}
-        back = np.array([acb(g).conjugate() for g in law.turn], dtype=object)
-        found = np.full((J, contacts, breaks), acb(0), dtype=object)
+        overlaps = {d: frame.integral(q, d * step) for d in range(1 - J, J)}
+        conjugate = np.array([acb(g).conjugate() for g in law.turn], dtype=object)
+        by_break = np.full((J, contacts, breaks), acb(0), dtype=object)
         for h, eta in enumerate(frame.turns):
-            for other in range(J):
-                here = slice(other * contacts, (other + 1) * contacts)
-                own = compliance[other] * apart[other - h]
-                rows[h, :, here] = rows[h, :, here] - own
+            for j in range(J):
+                columns = slice(j * contacts, (j + 1) * contacts)
+                term = compliance[j] * overlaps[j - h]
+                rows[h, :, columns] = rows[h, :, columns] - term
             wave = (acb(0, -1) * eta * frame.ends[q]).exp() * frame.lengths[q]
-            found[h] = law.poles @ frame.pieces[q].by_wave(eta * frame.lengths[q]) * wave
+            by_break[h] = law.poles @ frame.pieces[q].by_wave(eta * frame.lengths[q]) * wave
             alone = frame.integral(q, -eta)
             rows[h, :, frame.memory :] = rows[h, :, frame.memory :] - law.memory * alone
             ahead, behind = (frame.integral(q, g * frame.drive - eta) for g in (1, -1))
-            driven = law.turn * turn * ahead + back * turn.conjugate() * behind
+            driven = law.turn * turn * ahead + conjugate * turn.conjugate() * behind
             right[h] = right[h] + driven + law.constant * alone
         between = slice(frame.waves, frame.memory)
-        rows[:, :, between] = rows[:, :, between] - of_real(found)
+        rows[:, :, between] = rows[:, :, between] - of_real(by_break)
     for h, eta in enumerate(frame.turns):
         for c in range(contacts):
             rows[h, c, h * contacts + c] = rows[h, c, h * contacts + c] + 1
         for i, (p, n, c) in enumerate(frame.breaks):
             if n and not eta.contains(0):  # the mean of a function is 0
-                own = (acb(0, 1) * eta) ** -n * (acb(0, -1) * eta * frame.ends[p]).exp()
-                rows[h, c, frame.waves + i] = rows[h, c, frame.waves + i] + own
+                term = (acb(0, 1) * eta) ** -n * (acb(0, -1) * eta * frame.ends[p]).exp()
+                rows[h, c, frame.waves + i] = rows[h, c, frame.waves + i] + term
     return rows.reshape(J * contacts, -1), right.ravel()
 
 
@@ -95,11 +95,11 @@ def _smooth(frame: Frame) -> Iterator[tuple[Balls, Any]]:
         after, before, first = frame.laws[p], frame.laws[left], max(frame.cell.classes[p], 1)
         for n in range(1, first + functions):
             if n >= first:
-                rows, rest = frame.values(after, p, 0)
-                ended, known = frame.values(before, left, 1)
+                rows, begins = frame.values(after, p, 0)
+                ended, ends = frame.values(before, left, 1)
                 size = frame.T ** (n - 1)
                 yield from zip(
-                    size * (rows - sign * ended), size * (rest - sign * known), strict=True
+                    size * (rows - sign * ended), size * (begins - sign * ends), strict=True
                 )
             after, before = _rate(frame, after, p), _rate(frame, before, left)
 

@@ -24,17 +24,17 @@ def moments(kappa: Any, count: int) -> Balls:
     kappa = acb(kappa)
     if abs(kappa) > 2 * count:
         grown = kappa.exp()
-        found = [(grown - 1) / kappa, (grown + 1) / kappa - 2 * (grown - 1) / kappa**2]
+        integrals = [(grown - 1) / kappa, (grown + 1) / kappa - 2 * (grown - 1) / kappa**2]
         for n in range(1, count - 1):
-            found.append(found[n - 1] - 2 * (2 * n + 1) / kappa * found[n])
-        return np.array(found[:count], dtype=object)
+            integrals.append(integrals[n - 1] - 2 * (2 * n + 1) / kappa * integrals[n])
+        return np.array(integrals[:count], dtype=object)
     half = kappa / 2
-    found, factor = [], half.exp()
+    integrals, factor = [], half.exp()
     for n in range(count):
         if n:
             factor = factor * half / (2 * n + 1)
-        found.append(factor * (half * half / 4).hypgeom_0f1(acb(2 * n + 3) / 2))
-    return np.array(found, dtype=object)
+        integrals.append(factor * (half * half / 4).hypgeom_0f1(acb(2 * n + 3) / 2))
+    return np.array(integrals, dtype=object)
 
 
 def answers(kappa: Any, count: int) -> Balls:
@@ -42,14 +42,14 @@ def answers(kappa: Any, count: int) -> Balls:
 
     Shape ``(count, count)``, by n; ``P_j*' = sum 2 (2 i + 1) P_i*`` over i = j - 1, j - 3, ...
     """
-    found = np.full((count, count), acb(0), dtype=object)
+    coefficients = np.full((count, count), acb(0), dtype=object)
     for n in range(count):
         above = [acb(0), acb(0)]  # sums of the coefficients of odd and of even degree
         for i in range(n, -1, -1):
             slope = 2 * (2 * i + 1) * above[(i + 1) % 2]
-            found[n, i] = (slope - (1 if i == n else 0)) / kappa
-            above[i % 2] = above[i % 2] + found[n, i]
-    return found
+            coefficients[n, i] = (slope - (1 if i == n else 0)) / kappa
+            above[i % 2] = above[i % 2] + coefficients[n, i]
+    return coefficients
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,17 +83,17 @@ class Piece:
     def tested(self, count: int) -> Balls:
         """Return the integrals of the states times ``P_n*`` for n < count; (count, m, U)."""
         by_pole = np.array([moments(q, count) for q in self.kappa], dtype=object)
-        found = [by_pole[:, n, None] * self.decaying for n in range(count)]
+        integrals = [by_pole[:, n, None] * self.decaying for n in range(count)]
         for n in range(min(count, self.rest.shape[2])):
-            found[n] = found[n] + self.rest[:, :, n] / (2 * n + 1)
-        return np.array(found, dtype=object)
+            integrals[n] = integrals[n] + self.rest[:, :, n] / (2 * n + 1)
+        return np.array(integrals, dtype=object)
 
     def by_wave(self, turn: Any) -> Balls:
         """Return the integral of the states times ``e^(-i turn u)``; shape (m, U)."""
         against = acb(0, -1) * turn
         decayed = [moments(q + against, 1)[0] for q in self.kappa]
-        own = moments(against, self.rest.shape[2])
-        return np.array(decayed, dtype=object)[:, None] * self.decaying + self.rest @ own
+        undecayed = moments(against, self.rest.shape[2])
+        return np.array(decayed, dtype=object)[:, None] * self.decaying + self.rest @ undecayed
 
 
 def around(
@@ -122,20 +122,20 @@ def around(
         The next cell is this times the cell.
     """
     s, b, _ = poles
-    rests = [_rest(s * t, b * t, own, columns) for t, own in zip(lengths, forces, strict=True)]
+    rests = [_rest(s * t, b * t, f, columns) for t, f in zip(lengths, forces, strict=True)]
     start = balls(np.zeros((len(s), columns)))
-    found: list[Piece] = []
+    pieces: list[Piece] = []
     for turn in range(2):
-        found, state = [], start
+        pieces, state = [], start
         for t, rest, hit in zip(lengths, rests, hits, strict=True):
-            found.append(Piece(s * t, state, rest))
-            state = found[-1].end.copy()
+            pieces.append(Piece(s * t, state, rest))
+            state = pieces[-1].end.copy()
             for column, contact in hit:
                 state[:, column] = state[:, column] + b[:, contact]
         if turn == 0:
             grown = np.array([(q * sum(lengths, arb(0))).exp() for q in s], dtype=object)
             start = sign * state / (1 - sign * grown)[:, None]
-    return found
+    return pieces
 
 
 def _rest(kappa: Balls, b: Balls, forces: Forces, columns: int) -> Balls:
@@ -145,6 +145,6 @@ def _rest(kappa: Balls, b: Balls, forces: Forces, columns: int) -> Balls:
     by_degree = np.array([answers(q, count) for q in kappa], dtype=object)
     for column, (contact, series) in forces.items():
         for n, factor in series.items():
-            own = by_degree[:, n] * (b[:, contact] * factor)[:, None]
-            rest[:, column] = rest[:, column] + own
+            term = by_degree[:, n] * (b[:, contact] * factor)[:, None]
+            rest[:, column] = rest[:, column] + term
     return rest
