@@ -16,11 +16,11 @@ from .moments import legendre_moments
 
 def top(kinds):
     """Return the highest n of the functions; 0 if there are none."""
-    found = 0
+    highest = 0
     for p in range(len(kinds)):
         if kinds[p, BESIDE] > 0:
-            found = max(found, kinds[p, CLASS] + 1 + kinds[p, BESIDE])
-    return found
+            highest = max(highest, kinds[p, CLASS] + 1 + kinds[p, BESIDE])
+    return highest
 
 
 def break_value(n, u, sign):
@@ -79,21 +79,21 @@ def add_break_states(case, z, at, ends, values, found):
     phases, T, at_s = len(kinds), ends[len(kinds)], at[len(kinds)] + len(setting)
     for p in range(phases):
         for i in range(kinds[p, BESIDE]):
-            place, n = at[p] + i, kinds[p, CLASS] + 2 + i
+            index, n = at[p] + i, kinds[p, CLASS] + 2 + i
             for q in range(phases):
                 for side in range(2):
                     power = 1.0
                     for order in range(min(n + 1, found.shape[2])):
                         value = values[p, q, side, n - order] / power
                         power = power * T
-                        found[q, side, order, 0] += z[place] * value
+                        found[q, side, order, 0] += z[index] * value
                         if found.shape[3] == 1:
                             continue
-                        found[q, side, order, 1 + place] += value
+                        found[q, side, order, 1 + index] += value
                         slope = values[p, q, side, n - order - 1] / power if order < n else 0.0
                         for r in range(phases):
-                            apart = switch_rate(ends, r, q + side) - switch_rate(ends, r, p)
-                            change = z[place] * (apart * slope - order / T * value)
+                            rate = switch_rate(ends, r, q + side) - switch_rate(ends, r, p)
+                            change = z[index] * (rate * slope - order / T * value)
                             found[q, side, order, 1 + at_s + r] += change
 
 
@@ -106,21 +106,21 @@ def harmonic_moments(sign, ends, period, count, degrees):
         Times the sine and times the cosine.
     """
     phases = len(ends) - 1
-    found, moments = np.zeros((phases, degrees, 2, count)), np.empty((2, degrees))
+    table, moments = np.zeros((phases, degrees, 2, count)), np.empty((2, degrees))
     for q in range(phases):
         s = ends[q + 1] - ends[q]
         for i in range(count):
             omega = number(sign, i) * (2 * pi / period)
             legendre_moments(omega * s, omega * ends[q], moments)
             for l in range(degrees):
-                found[q, l, 0, i], found[q, l, 1, i] = -s * moments[1, l], s * moments[0, l]
-    return found
+                table[q, l, 0, i], table[q, l, 1, i] = -s * moments[1, l], s * moments[0, l]
+    return table
 
 
 def break_residual(numbers, q, beta, n, T):
     """Return ``m x'' + c x' + k x`` for ``x = beta_n`` in phase q, from the values `beta`."""
-    found = numbers[q, K] * beta[n] + numbers[q, C] * beta[n - 1] / T
-    return found + numbers[q, M] * beta[n - 2] / T**2 if n > 1 else found
+    residual = numbers[q, K] * beta[n] + numbers[q, C] * beta[n - 1] / T
+    return residual + numbers[q, M] * beta[n - 2] / T**2 if n > 1 else residual
 
 
 def integrals_of_break(numbers, n, T, series, moments):
@@ -132,17 +132,17 @@ def integrals_of_break(numbers, n, T, series, moments):
         Times the sine and the cosine; then T times their derivatives by T, with the harmonics
         and u fixed.
     """
-    found = np.zeros((2, 2, moments.shape[3]))
+    integrals = np.zeros((2, 2, moments.shape[3]))
     for q in range(len(numbers)):
         for l in range(n + 1):
-            place = numbers[q, K] * series[q, n, l]
-            rate = numbers[q, C] * series[q, n - 1, l] / T
-            twice = numbers[q, M] * series[q, n - 2, l] / T**2 if n > 1 else 0.0 * rate
+            spring = numbers[q, K] * series[q, n, l]
+            damper = numbers[q, C] * series[q, n - 1, l] / T
+            mass = numbers[q, M] * series[q, n - 2, l] / T**2 if n > 1 else 0.0 * damper
             for wave in range(2):
                 for i in range(moments.shape[3]):
-                    found[0, wave, i] += (place + rate + twice) * moments[q, l, wave, i]
-                    found[1, wave, i] += (place - twice) * moments[q, l, wave, i]
-    return found
+                    integrals[0, wave, i] += (spring + damper + mass) * moments[q, l, wave, i]
+                    integrals[1, wave, i] += (spring - mass) * moments[q, l, wave, i]
+    return integrals
 
 
 def add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows):
@@ -154,12 +154,12 @@ def add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows):
         before = np.zeros((2, 2, moments.shape[3]))
         begin = first - 1 if rates else first
         for n in range(begin, first + kinds[p, BESIDE] if kinds[p, BESIDE] > 0 else begin):
-            found = integrals_of_break(case[1], n, ends[len(kinds)], series[p], moments)
+            integrals = integrals_of_break(case[1], n, ends[len(kinds)], series[p], moments)
             if n >= first:
-                add_break(case, z, at, ends, p, n, found, before, N, rows)
+                add_break(case, z, at, ends, p, n, integrals, before, N, rows)
                 if rates:
                     add_moved_ends(case, z, at, ends, p, n, values[p], at_ends, N, rows)
-            before = found
+            before = integrals
 
 
 def add_break(case, z, at, ends, p, n, found, before, N, rows):
@@ -168,17 +168,17 @@ def add_break(case, z, at, ends, p, n, found, before, N, rows):
     Their derivatives are for fixed limits of integration; see `add_moved_ends`.
     """
     kinds, setting, sign = case[0], case[2], case[4][0]
-    place, T = at[p] + n - kinds[p, CLASS] - 2, ends[len(kinds)]
+    index, T = at[p] + n - kinds[p, CLASS] - 2, ends[len(kinds)]
     at_s = at[len(kinds)] + len(setting)
     for wave in range(2):
         for i in range(found.shape[2]):
             row = cosine_place(sign, N, i) if wave == 1 else i
-            rows[row, 0] += z[place] * found[0, wave, i]
+            rows[row, 0] += z[index] * found[0, wave, i]
             if rows.shape[1] > 1:
-                rows[row, 1 + place] += found[0, wave, i]
+                rows[row, 1 + index] += found[0, wave, i]
                 for r in range(len(kinds)):
                     change = found[1, wave, i] - switch_rate(ends, r, p) * before[0, wave, i]
-                    rows[row, 1 + at_s + r] += z[place] * change / T
+                    rows[row, 1 + at_s + r] += z[index] * change / T
 
 
 def add_moved_ends(case, z, at, ends, p, n, values, at_ends, N, rows):
@@ -188,11 +188,11 @@ def add_moved_ends(case, z, at, ends, p, n, values, at_ends, N, rows):
     c = z[at[p] + n - kinds[p, CLASS] - 2]
     for q in range(phases):
         for side in range(2):
-            left = break_residual(numbers, q, values[q, side], n, ends[phases])
-            left = c * left if side == 1 else -c * left
+            residual = break_residual(numbers, q, values[q, side], n, ends[phases])
+            residual = c * residual if side == 1 else -c * residual
             for wave in range(2):
                 for i in range(at_ends.shape[3]):
                     row = cosine_place(sign, N, i) if wave == 1 else i
-                    there = left * at_ends[q + side, 0, wave, i]
+                    term = residual * at_ends[q + side, 0, wave, i]
                     for r in range(phases):
-                        rows[row, 1 + at_s + r] += there * switch_rate(ends, r, q + side)
+                        rows[row, 1 + at_s + r] += term * switch_rate(ends, r, q + side)

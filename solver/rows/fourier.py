@@ -104,7 +104,7 @@ def waves(sign, ends, period, count, highest):
         By switch, order of the derivative, sine or cosine, and i.
     """
     phases, omega_0 = len(ends) - 1, 2 * pi / period
-    found = np.zeros((phases + 1, highest + 1, 2, count))
+    derivatives = np.zeros((phases + 1, highest + 1, 2, count))
     for q in range(phases + 1):
         if 0 < q < phases:
             cosines, sines = multiples(omega_0 * ends[q], number(sign, count - 1))
@@ -113,9 +113,9 @@ def waves(sign, ends, period, count, highest):
             if 0 < q < phases:
                 sine, cosine = sines[j], cosines[j]
             for order in range(highest + 1):
-                found[q, order, 0, i], found[q, order, 1, i] = sine, cosine
+                derivatives[q, order, 0, i], derivatives[q, order, 1, i] = sine, cosine
                 sine, cosine = by_time(j * omega_0, sine, cosine)
-    return found
+    return derivatives
 
 
 def series_at_ends(sign, motion, ends, at_ends, at_s, N, width):
@@ -128,7 +128,7 @@ def series_at_ends(sign, motion, ends, at_ends, at_s, N, width):
         by the constant is by half of it.
     """
     phases, highest, T = len(ends) - 1, at_ends.shape[1] - 1, ends[len(ends) - 1]
-    found = np.zeros((phases + 1, highest + 1, width))
+    series = np.zeros((phases + 1, highest + 1, width))
     for q in range(phases + 1):
         for order in range(highest + 1):
             value = 0.0
@@ -136,11 +136,11 @@ def series_at_ends(sign, motion, ends, at_ends, at_s, N, width):
                 sine, cosine = at_ends[q, order, 0, i], at_ends[q, order, 1, i]
                 value = value + (sine * motion[0, i] + cosine * motion[1, i])
                 if width > 1:
-                    found[q, order, 1 + i] += sine
-                    found[q, order, 1 + cosine_place(sign, N, i)] += cosine
-            found[q, order, 0] = value
+                    series[q, order, 1 + i] += sine
+                    series[q, order, 1 + cosine_place(sign, N, i)] += cosine
+            series[q, order, 0] = value
         for order in range(highest if width > 1 else 0):
             for r in range(phases):
-                change = found[q, order + 1, 0] * switch_rate(ends, r, q)
-                found[q, order, 1 + at_s + r] = change - order / T * found[q, order, 0]
-    return found
+                change = series[q, order + 1, 0] * switch_rate(ends, r, q)
+                series[q, order, 1 + at_s + r] = change - order / T * series[q, order, 0]
+    return series

@@ -43,7 +43,7 @@ def harmonic_integrals(ends, period, highest, rates):
         derivatives by the duration of phase q.
     """
     phases, cell = len(ends) - 1, ends[len(ends) - 1]
-    found = np.zeros((phases, 2, 1 + phases if rates else 1, highest + 1))
+    integrals = np.zeros((phases, 2, 1 + phases if rates else 1, highest + 1))
     begin_c, begin_s = np.ones(highest + 1), np.zeros(highest + 1)
     for p in range(phases):
         t, end = ends[p], ends[p + 1]
@@ -55,16 +55,16 @@ def harmonic_integrals(ends, period, highest, rates):
             middle_c, middle_s = b_c * h_c - b_s * h_s, b_s * h_c + b_c * h_s
             end_c, end_s = middle_c * h_c - middle_s * h_s, middle_s * h_c + middle_c * h_s
             over_c, over_s = size * middle_c, size * middle_s
-            found[p, 0, 0, k], found[p, 1, 0, k] = over_c, over_s
+            integrals[p, 0, 0, k], integrals[p, 1, 0, k] = over_c, over_s
             if rates:
                 change_c = (over_c - end * end_c + t * b_c) / cell
                 change_s = (over_s - end * end_s + t * b_s) / cell
                 for q in range(phases):
-                    later, now = (1.0 if p >= q else 0.0), (1.0 if p > q else 0.0)
-                    found[p, 0, 1 + q, k] = change_c + later * end_c - now * b_c
-                    found[p, 1, 1 + q, k] = change_s + later * end_s - now * b_s
+                    at_end, at_begin = (1.0 if p >= q else 0.0), (1.0 if p > q else 0.0)
+                    integrals[p, 0, 1 + q, k] = change_c + at_end * end_c - at_begin * b_c
+                    integrals[p, 1, 1 + q, k] = change_s + at_end * end_s - at_begin * b_s
             begin_c[k], begin_s[k] = end_c, end_s
-    return found
+    return integrals
 
 
 def weighted_integrals(integrals, weights, power, ends, period):
@@ -89,23 +89,23 @@ def weighted_integrals(integrals, weights, power, ends, period):
     """
     phases, _, rows, length = integrals.shape
     scale, cell = (2 * pi / period) ** power, ends[phases]
-    found = np.zeros((2, rows, 2 * length - 1))
+    sums = np.zeros((2, rows, 2 * length - 1))
     for p in range(phases):
         weight = weights[p] * scale
         if weight != 0.0:
             for wave in range(2):
                 for row in range(rows):
                     for k in range(length):
-                        found[wave, row, k] += weight * integrals[p, wave, row, k]
+                        sums[wave, row, k] += weight * integrals[p, wave, row, k]
     for wave in range(2):
         for row in range(1, rows):
             for k in range(length):
-                found[wave, row, k] -= power / cell * found[wave, 0, k]
+                sums[wave, row, k] -= power / cell * sums[wave, 0, k]
         for row in range(rows):
             for k in range(1, length):
-                value = found[wave, row, k]
-                found[wave, row, 2 * length - 1 - k] = value if wave == 0 else -value
-    return found
+                value = sums[wave, row, k]
+                sums[wave, row, 2 * length - 1 - k] = value if wave == 0 else -value
+    return sums
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):

@@ -52,20 +52,20 @@ def event(case, z, at, gained, theta, p):
     They are kept apart so that the sum has no cancellation if a phase begins at its own event.
     """
     kinds, numbers, setting, _, cell = case[:5]
-    count, more = len(kinds), len(setting)
+    count, memories = len(kinds), len(setting)
     q = p + 1 if p + 1 < count else 0
     sign = cell[0] if q == 0 else 1.0
     value, change = numbers[p, E_0], 0.0
     for order in range(2):
         state = kinds[p, OF_X + order]
-        there = sign * z[at[q] + order] if state == AFTER else z[at[p] + order]
-        value = value + numbers[p, E_X + order] * there
+        component = sign * z[at[q] + order] if state == AFTER else z[at[p] + order]
+        value = value + numbers[p, E_X + order] * component
         if state == AT_END:
             change = change + numbers[p, E_X + order] * gained[p, order]
-    for i in range(more):
-        value = value + numbers[p, MEMORY + more + i] * z[at[count] + i]
+    for i in range(memories):
+        value = value + numbers[p, MEMORY + memories + i] * z[at[count] + i]
     if cell[2] != 0:
-        half = cell[1] * z[at[count] + more + p] / 2
+        half = cell[1] * z[at[count] + memories + p] / 2
         cosine_change = -2 * sin(theta[p] + half) * sin(half)
         value = value + numbers[p, E_COS] * cos(theta[p])
         change = change + numbers[p, E_COS] * cosine_change
@@ -75,7 +75,7 @@ def event(case, z, at, gained, theta, p):
 def joints(case, z, at, theta, gained, begins, R, row):
     """Fill R, from `row` on, with the residuals of the conditions that join the phases."""
     kinds, numbers, setting, memory, cell = case[:5]
-    count, more, forced = len(kinds), len(setting), cell[2] != 0
+    count, memories, forced = len(kinds), len(setting), cell[2] != 0
     at_w = at[count]
     for q in range(count):
         p = q - 1 if q > 0 else count - 1
@@ -93,7 +93,7 @@ def joints(case, z, at, theta, gained, begins, R, row):
         value, change = event(case, z, at, gained, theta, p)
         R[row] = value + change
         row += 1
-    for i in range(more):
+    for i in range(memories):
         p = setting[i]
         value = memory[i, 0] * z[at[p]] + memory[i, 1] * z[at[p] + 1] + memory[i, 3]
         if forced:
@@ -103,19 +103,19 @@ def joints(case, z, at, theta, gained, begins, R, row):
     if forced:
         total = -cell[2] * pi / cell[1]
         for p in range(count):
-            total = total + z[at_w + more + p]
+            total = total + z[at_w + memories + p]
         R[row] = total
 
 
 def add_joint(case, J, row, factor, by, at, p):
     """Add a factor times `by`, from `gained_by` or `begins_by` of phase p, to a row of J."""
     kinds, numbers, setting, _, cell = case[:5]
-    count, more = len(kinds), len(setting)
-    at_w, at_s = at[count], at[count] + more
+    count, memories = len(kinds), len(setting)
+    at_w, at_s = at[count], at[count] + memories
     J[row, at_s + p] += factor * by[0]
     if cell[2] != 0:
         add_angle(J, row, factor * by[1], cell[1], at_s, p)
-    for i in range(more):
+    for i in range(memories):
         J[row, at_w + i] += factor * by[2] * numbers[p, MEMORY + i]
     for j in range(min(at[p + 1] - at[p], len(by) - 3)):
         J[row, at[p] + j] += factor * by[3 + j]
@@ -131,7 +131,7 @@ def add_angle(J, row, factor, omega, at_s, count):
 def add_event(case, J, row, at, gained_by, theta, p, of_value, of_change):
     """Add to a row the derivatives of both results of `event`, times the last two factors."""
     kinds, numbers, setting, _, cell = case[:5]
-    count, more = len(kinds), len(setting)
+    count, memories = len(kinds), len(setting)
     at_w = at[count]
     q = p + 1 if p + 1 < count else 0
     sign = cell[0] if q == 0 else 1.0
@@ -143,20 +143,20 @@ def add_event(case, J, row, at, gained_by, theta, p, of_value, of_change):
             J[row, at[p] + order] += of_value * weight
         if state == AT_END and weight != 0:
             add_joint(case, J, row, of_change * weight, gained_by[p, order], at, p)
-    for i in range(more):
-        J[row, at_w + i] += of_value * numbers[p, MEMORY + more + i]
+    for i in range(memories):
+        J[row, at_w + i] += of_value * numbers[p, MEMORY + memories + i]
     if cell[2] != 0:
         weight = numbers[p, E_COS]
         before, behind = weight * sin(theta[p]), weight * sin(theta[p + 1])
         if of_value != of_change:
-            add_angle(J, row, (of_change - of_value) * before, cell[1], at_w + more, p)
-        add_angle(J, row, -of_change * behind, cell[1], at_w + more, p + 1)
+            add_angle(J, row, (of_change - of_value) * before, cell[1], at_w + memories, p)
+        add_angle(J, row, -of_change * behind, cell[1], at_w + memories, p + 1)
 
 
 def joint_rates(case, z, at, theta, gained_by, begins_by, J, row):
     """Add the derivatives of `joints` to J, from `row` on; these rows of J are zero before."""
     kinds, numbers, setting, memory, cell = case[:5]
-    count, more, forced = len(kinds), len(setting), cell[2] != 0
+    count, memories, forced = len(kinds), len(setting), cell[2] != 0
     at_w = at[count]
     for q in range(count):
         p = q - 1 if q > 0 else count - 1
@@ -175,13 +175,13 @@ def joint_rates(case, z, at, theta, gained_by, begins_by, J, row):
     for p in range(count):
         add_event(case, J, row, at, gained_by, theta, p, 1.0, 1.0)
         row += 1
-    for i in range(more):
+    for i in range(memories):
         p = setting[i]
         J[row, at_w + i] += 1.0
         J[row, at[p]] -= memory[i, 0]
         J[row, at[p] + 1] -= memory[i, 1]
         if forced:
-            add_angle(J, row, memory[i, 2] * sin(theta[p]), cell[1], at_w + more, p)
+            add_angle(J, row, memory[i, 2] * sin(theta[p]), cell[1], at_w + memories, p)
         row += 1
     for p in range(count if forced else 0):
-        J[row, at_w + more + p] += 1.0
+        J[row, at_w + memories + p] += 1.0

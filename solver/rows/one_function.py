@@ -32,8 +32,8 @@ def function_series(held, free, rates):
         For each phase the coefficients [n, l], with n = 3 for G, 2 for T G', 1 for T**2 G'';
         then, with `rates`, their derivatives by both durations.
     """
-    found = np.zeros((2, 3 if rates else 1, 4, 4))
-    for r in range(found.shape[1]):
+    series = np.zeros((2, 3 if rates else 1, 4, 4))
+    for r in range(series.shape[1]):
         values = on_phases(held, free)
         if r > 0:
             values = (
@@ -43,9 +43,9 @@ def function_series(held, free, rates):
         for p in range(2):
             for n in range(1, 4):
                 for l in range(n + 1):
-                    found[p, r, n, l] = values[i]
+                    series[p, r, n, l] = values[i]
                     i += 1
-    return found
+    return series
 
 
 def at_end(series):
@@ -68,7 +68,7 @@ def function_integrals(series, numbers, ends, count):
         their derivatives by both durations.
     """
     rows, T = series.shape[1], ends[2]
-    found, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
+    integrals, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
     waves, moments = np.zeros((2, 2, 5)), np.zeros((2, 5))
     for q in range(2):
         m, k = numbers[q, M], numbers[q, K]
@@ -86,7 +86,7 @@ def function_integrals(series, numbers, ends, count):
             for wave in range(2):
                 moment, turned = waves[wave, 0], waves[wave, 1]
                 for l in range(4):
-                    found[wave, 0, column] += s * rho[0, l] * moment[l]
+                    integrals[wave, 0, column] += s * rho[0, l] * moment[l]
                 for l in range(4 if rows > 1 else 0):
                     near = (l + 1) * turned[l + 1] + (l * turned[l - 1] if l > 0 else 0.0)
                     stretch = (turned[l] + near / (2 * l + 1)) / 2
@@ -96,32 +96,32 @@ def function_integrals(series, numbers, ends, count):
                         slope = by_kappa * stretch + by_theta * turned[l]
                         change = rho[1 + r, l] * moment[l] + rho[0, l] * slope
                         longer = rho[0, l] * moment[l] if r == q else 0.0
-                        found[wave, 1 + r, column] += s * change + longer
-    return found
+                        integrals[wave, 1 + r, column] += s * change + longer
+    return integrals
 
 
 def add_function(case, z, motion, ends, series, rows):
     """Add the function's terms to the rows of harmonics, and the row tested with it."""
     numbers, N = case[1], motion.shape[1] - 1
-    place, at_s = 2 * N + 1, 2 * N + 2
-    c1 = z[place]
-    found = function_integrals(series, numbers, ends, N + 1)
+    index, at_s = 2 * N + 1, 2 * N + 2
+    c1 = z[index]
+    integrals = function_integrals(series, numbers, ends, N + 1)
     for wave in range(2):
         for i in range(N + 1):
             row = cosine_place(1.0, N, i) if wave == 1 else i
-            for r in range(found.shape[1]):
-                value, column = found[1 - wave, r, i], at_s + r if r > 0 else 0
+            for r in range(integrals.shape[1]):
+                value, column = integrals[1 - wave, r, i], at_s + r if r > 0 else 0
                 rows[row, column] += c1 * value
-                rows[place, column] += motion[wave, i] * value
+                rows[index, column] += motion[wave, i] * value
             if rows.shape[1] > 1:
-                rows[row, 1 + place] += found[1 - wave, 0, i]
-                rows[place, 1 + row] += found[1 - wave, 0, i]
+                rows[row, 1 + index] += integrals[1 - wave, 0, i]
+                rows[index, 1 + row] += integrals[1 - wave, 0, i]
     left = by_itself(numbers[1, M], numbers[1, K], z[at_s], z[at_s + 1])
     right = force_by(numbers[1, F], z[at_s], z[at_s + 1])
-    for r in range(found.shape[1]):
-        rows[place, at_s + r if r > 0 else 0] += c1 * left[r] - right[r]
+    for r in range(integrals.shape[1]):
+        rows[index, at_s + r if r > 0 else 0] += c1 * left[r] - right[r]
     if rows.shape[1] > 1:
-        rows[place, 1 + place] += left[0]
+        rows[index, 1 + index] += left[0]
 
 
 def beside_series(z, ends, series, N, width):
@@ -132,19 +132,19 @@ def beside_series(z, ends, series, N, width):
     ndarray, shape (2, 2, 2, width)
         At the end of each phase; values at its begin are not needed, and are 0.
     """
-    place, at_s, T = 2 * N + 1, 2 * N + 2, ends[2]
-    found = np.zeros((2, 2, 2, width))
+    index, at_s, T = 2 * N + 1, 2 * N + 2, ends[2]
+    states = np.zeros((2, 2, 2, width))
     for p in range(2):
         for order in range(2):
             power = T if order == 1 else 1.0
             value = at_end(series[p, 0, 3 - order]) / power
-            found[p, 1, order, 0] = z[place] * value
+            states[p, 1, order, 0] = z[index] * value
             if width > 1:
-                found[p, 1, order, 1 + place] = value
+                states[p, 1, order, 1 + index] = value
             for r in range(1, series.shape[1]):
                 change = at_end(series[p, r, 3 - order]) / power - order / T * value
-                found[p, 1, order, at_s + r] = z[place] * change
-    return found
+                states[p, 1, order, at_s + r] = z[index] * change
+    return states
 
 
 def unknowns_of_switch(kinds, p):

@@ -79,11 +79,11 @@ def add_products(C, S, order, sign, motion, rows, column):
             by_sine = by_sine + (aa * motion[0, l] + ab * motion[1, l])
             by_cosine = by_cosine + (ba * motion[0, l] + bb * motion[1, l])
             if wide:
-                place = 1 + cosine_place(sign, N, l)
+                index = 1 + cosine_place(sign, N, l)
                 rows[i, 1 + l] += aa
-                rows[i, place] += ab
+                rows[i, index] += ab
                 rows[row, 1 + l] += ba
-                rows[row, place] += bb
+                rows[row, index] += bb
         rows[i, column] += by_sine
         rows[row, column] += by_cosine
 
@@ -96,7 +96,7 @@ def add_alone(whole, order, sign, motion, ends, at_s, rows):
     count, phases = motion.shape[1], len(ends) - 1
     N = count if odd(sign) else count - 1
     for i in range(count):
-        n, place = number(sign, i), cosine_place(sign, N, i)
+        n, index = number(sign, i), cosine_place(sign, N, i)
         aa, ab, ba, bb = alone(whole if n == 0 else 0.0 * whole, whole)
         for _ in range(order):
             aa, ab = by_time(n, aa, ab)
@@ -104,31 +104,31 @@ def add_alone(whole, order, sign, motion, ends, at_s, rows):
         by_sine = aa * motion[0, i] + ab * motion[1, i]
         by_cosine = ba * motion[0, i] + bb * motion[1, i]
         rows[i, 0] += by_sine
-        rows[place, 0] += by_cosine
+        rows[index, 0] += by_cosine
         if rows.shape[1] > 1:
             rows[i, 1 + i] += aa
-            rows[i, 1 + place] += ab
-            rows[place, 1 + i] += ba
-            rows[place, 1 + place] += bb
+            rows[i, 1 + index] += ab
+            rows[index, 1 + i] += ba
+            rows[index, 1 + index] += bb
         for r in range(phases if rows.shape[1] > 1 else 0):
             rows[i, 1 + at_s + r] += (1 - order) / ends[phases] * by_sine
-            rows[place, 1 + at_s + r] += (1 - order) / ends[phases] * by_cosine
+            rows[index, 1 + at_s + r] += (1 - order) / ends[phases] * by_cosine
 
 
 def add_forces(case, z, at_w, ends, period, integrals, N, rows):
     """Subtract the integrals of constant force, memory and forcing times harmonics."""
     kinds, numbers, setting, _, cell = case[:5]
-    more, at_s = len(setting), at_w + len(setting)
-    if more > 0 or not is_same(numbers, F) or numbers[0, F] != 0:
+    memories, at_s = len(setting), at_w + len(setting)
+    if memories > 0 or not is_same(numbers, F) or numbers[0, F] != 0:
         force = np.zeros((len(kinds), 1))
         for p in range(len(kinds)):
             force[p, 0] = numbers[p, F]
-            for i in range(more):
+            for i in range(memories):
                 force[p, 0] = force[p, 0] + numbers[p, MEMORY + i] * z[at_w + i]
         table = weighted_integrals(integrals, force[:, 0], 0, ends, period)
         for r in range(table.shape[1]):
             add_force(table[0, r], table[1, r], cell[0], N, rows, at_s + r if r > 0 else 0)
-    for i in range(more if rows.shape[1] > 1 else 0):
+    for i in range(memories if rows.shape[1] > 1 else 0):
         table = weighted_integrals(integrals, numbers[:, MEMORY + i], 0, ends, period)
         add_force(table[0, 0], table[1, 0], cell[0], N, rows, 1 + at_w + i)
     if cell[2] != 0:

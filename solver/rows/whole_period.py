@@ -34,10 +34,10 @@ from .orthogonality import add_forces, add_harmonics, add_impulses, highest_numb
 
 def highest_derivative(kinds):
     """Return the highest derivative of the displacement in a condition."""
-    found = 1
+    highest = 1
     for p in range(len(kinds)):
-        found = max(found, kinds[p, CLASS] + kinds[p, BESIDE])
-    return found
+        highest = max(highest, kinds[p, CLASS] + kinds[p, BESIDE])
+    return highest
 
 
 def beside_series(kinds, sign, z, at, highest, width):
@@ -50,16 +50,16 @@ def beside_series(kinds, sign, z, at, highest, width):
         side, for the series has the mean there.
     """
     phases = len(kinds)
-    others = np.zeros((phases, 2, highest + 1, width))
+    states = np.zeros((phases, 2, highest + 1, width))
     for q in range(phases):
         if jumps(kinds, q):
             p, before = (q - 1, -0.5) if q > 0 else (phases - 1, -0.5 * sign)
-            others[q, 0, 1, 0] += 0.5 * z[at[q]]
-            others[p, 1, 1, 0] += before * z[at[q]]
+            states[q, 0, 1, 0] += 0.5 * z[at[q]]
+            states[p, 1, 1, 0] += before * z[at[q]]
             if width > 1:
-                others[q, 0, 1, 1 + at[q]] = 0.5
-                others[p, 1, 1, 1 + at[q]] = before
-    return others
+                states[q, 0, 1, 1 + at[q]] = 0.5
+                states[p, 1, 1, 1 + at[q]] = before
+    return states
 
 
 def add_state(rows, row, factor, series, others, p, side, order):
@@ -127,19 +127,19 @@ def add_switches(case, z, at, ends, series, others, rows):
 def add_closure(case, z, at_w, ends, series, others, rows):
     """Add the conditions of events, memories, and the duration of the cell."""
     kinds, numbers, setting, memory, cell = case[:5]
-    count, more, rates = len(kinds), len(setting), rows.shape[1] > 1
-    at_s = at_w + more
+    count, memories, rates = len(kinds), len(setting), rows.shape[1] > 1
+    at_s = at_w + memories
     for p in range(count):
         row = at_w + p
         rows[row, 0] += numbers[p, E_0]
         for order in range(2):
             add_state(rows, row, numbers[p, E_X + order], series, others, p, 1, order)
-        for i in range(more):
-            rows[row, 0] += numbers[p, MEMORY + more + i] * z[at_w + i]
+        for i in range(memories):
+            rows[row, 0] += numbers[p, MEMORY + memories + i] * z[at_w + i]
             if rates:
-                rows[row, 1 + at_w + i] += numbers[p, MEMORY + more + i]
+                rows[row, 1 + at_w + i] += numbers[p, MEMORY + memories + i]
         add_cosine(rows, row, numbers[p, E_COS], z, ends, cell[1], at_s, p + 1)
-    for i in range(more):
+    for i in range(memories):
         row, p = at_w + count + i, setting[i]
         rows[row, 0] += z[at_w + i] - memory[i, 3]
         if rates:
@@ -171,15 +171,15 @@ def add_beside(case, z, at, ends, motion, at_ends, series, rows):
     Return the states of these functions, as from `beside_series`.
     """
     kinds, sign, count, N = case[0], case[4][0], motion.shape[1], at[0] // 2
-    others = beside_series(kinds, sign, z, at, at_ends.shape[1] - 1, rows.shape[1])
+    states = beside_series(kinds, sign, z, at, at_ends.shape[1] - 1, rows.shape[1])
     if top(kinds) > 0:
         period = ends[len(kinds)] * (2 if odd(sign) else 1)
         tables = break_tables(kinds, sign, ends)
         moments = harmonic_moments(sign, ends, period, count, top(kinds) + 1)
         add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows)
-        add_break_states(case, z, at, ends, tables[1], others)
-    add_switches(case, z, at, ends, series, others, rows)
-    return others
+        add_break_states(case, z, at, ends, tables[1], states)
+    add_switches(case, z, at, ends, series, states, rows)
+    return states
 
 
 def fill(case, z, rows):
@@ -199,8 +199,8 @@ def fill(case, z, rows):
     add_forces(case, z, at[phases], ends, period, integrals, N, rows)
     add_impulses(case, z, at, ends, at_ends, N, rows)
     series = series_at_ends(sign, motion, ends, at_ends, at_s, N, rows.shape[1])
-    others = add_beside(case, z, at, ends, motion, at_ends, series, rows)
-    add_closure(case, z, at[phases], ends, series, others, rows)
+    beside = add_beside(case, z, at, ends, motion, at_ends, series, rows)
+    add_closure(case, z, at[phases], ends, series, beside, rows)
     if rates and not odd(sign):
         rows[:, 1] /= 2
 
