@@ -23,12 +23,12 @@ from ..rows.joints import (
 
 def is_alone(case: Any, p: int, state: int) -> bool:
     """Return whether the event of phase p is of x (state 0) or of v (state 1) alone."""
-    numbers, more = case[1], len(case[2])
-    for i in range(more):
-        if numbers[p, MEMORY + more + i] != 0:
+    numbers, memories = case[1], len(case[2])
+    for i in range(memories):
+        if numbers[p, MEMORY + memories + i] != 0:
             return False
-    others = numbers[p, E_X + 1 - state] != 0 or numbers[p, E_COS] != 0
-    return bool(numbers[p, E_X + state] != 0 and not others)
+    mixed = numbers[p, E_X + 1 - state] != 0 or numbers[p, E_COS] != 0
+    return bool(numbers[p, E_X + state] != 0 and not mixed)
 
 
 def given_alone(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
@@ -58,8 +58,8 @@ def given_alone(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
         row = 0
         for q in range(count):
             p, sign = (q - 1, 1.0) if q > 0 else (count - 1, cell[0])
-            kept = numbers[p, RHO] == 0 or (not kinds[p, FREE] and known[at[p] + 1])
-            if kept and not known[at[q] + 1] and not used[row + 1]:
+            determined = numbers[p, RHO] == 0 or (not kinds[p, FREE] and known[at[p] + 1])
+            if determined and not known[at[q] + 1] and not used[row + 1]:
                 law = numbers[p, RHO] * y[at[p] + 1] + numbers[p, JUMP]
                 y[at[q] + 1] = sign * law
                 known[at[q] + 1], used[row + 1] = True, True

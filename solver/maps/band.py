@@ -39,9 +39,9 @@ def factorise_band(D: Matrix, exchanged: Any, size: int) -> bool:
 
 def factorise_row(D: Matrix, exchanged: Any, i: int, wide: bool) -> bool:
     """Eliminate unknown i from the two rows above; return whether any rows were exchanged."""
-    own, above, second = D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2]
+    diagonal, above, second = D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2]
     exchanged[i] = i
-    if LARGE * abs(own) < max(abs(above), abs(second)):
+    if LARGE * abs(diagonal) < max(abs(above), abs(second)):
         exchanged[i] = pivot = i - 1 if abs(above) >= abs(second) else i - 2
         wide = True  # from now on rows may reach further down
         for q in range(PAD + 1):
@@ -121,6 +121,6 @@ def add_full(
     inverse = 1.0 / (a * d - b * c)
     for column in range(first, last):
         before, behind = B[i, column], B[j, column]
-        one, two = (d * before - b * behind) * inverse, (a * behind - c * before) * inverse
+        upper, lower = (d * before - b * behind) * inverse, (a * behind - c * before) * inverse
         for low in range(PAD, PAD + needed):
-            B[low, column] += one * full[low, at] + two * full[low, at + 1]
+            B[low, column] += upper * full[low, at] + lower * full[low, at + 1]

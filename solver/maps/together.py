@@ -35,46 +35,46 @@ AGAIN = np.inf
 
 def times_of(place: Any) -> tuple[int, int]:
     """Return the number of unknown durations, and 1 if the case is forced, else 0."""
-    case, whole, known = place[0], place[4], place[6]
+    case, whole, is_known = place[0], place[4], place[6]
     forced = 1 if case[4][2] != 0 else 0
     durations, last = 0, len(whole) - forced
     for i in range(last - len(case[0]), last):
-        durations += 0 if known[i] else 1
+        durations += 0 if is_known[i] else 1
     return durations, forced
 
 
 def together_residual(place: Any, y: Vector, R: Vector) -> None:
     """Fill R with the unused conditions that join the phases, at the condensed unknowns y."""
-    case, at, N, work, whole, left, known, used = place
+    case, at, N, work, whole, conditions, is_known, is_used = place
     j = 0
     for i in range(len(whole)):
-        if not known[i]:
+        if not is_known[i]:
             whole[i] = y[j]
             j += 1
     theta, ends = work[-3:-1]
     solve_phases(case, whole, at, N, work)
-    joints(case, whole, at, theta, ends[0], ends[1], left[0], 0)
+    joints(case, whole, at, theta, ends[0], ends[1], conditions[0], 0)
     j = 0
     for i in range(len(whole)):
-        if not used[i]:
-            R[j] = left[0, i]
+        if not is_used[i]:
+            R[j] = conditions[0, i]
             j += 1
 
 
 def together_jacobian(place: Any, y: Vector, J: Matrix) -> None:
     """Fill J with the derivatives of `together_residual`, at its last call."""
-    case, at, N, work, whole, left, known, used = place
+    case, at, N, work, whole, conditions, is_known, is_used = place
     phase_rates(case, whole, at, N, work)
-    left[:] = 0.0
-    joint_rates(case, whole, at, work[-3], work[-1][0], work[-1][1], left, 0)
+    conditions[:] = 0.0
+    joint_rates(case, whole, at, work[-3], work[-1][0], work[-1][1], conditions, 0)
     row = 0
     for i in range(len(whole)):
-        if used[i]:
+        if is_used[i]:
             continue
         column = 0
         for j in range(len(whole)):
-            if not known[j]:
-                J[row, column] = left[i, j]
+            if not is_known[j]:
+                J[row, column] = conditions[i, j]
                 column += 1
         row += 1
 
@@ -109,17 +109,17 @@ def all_at_once(
 
     `J`, `exchanged` and `vectors` are workspace.
     """
-    case, at, N, work, whole, _, known, used = place
+    case, at, N, work, whole, _, is_known, is_used = place
     durations, forced = times_of(place)
     y, j = vectors[5, : len(J)], 0
     for i in range(len(whole)):
-        if not known[i]:
+        if not is_known[i]:
             y[j] = whole[i]
             j += 1
     fitted(place, y, durations + forced, vectors[0, : len(J)], J)
     outcome = iterate_within(place, y, limit, J, exchanged, vectors)
     together_residual(place, y, vectors[0])
-    given_last(case, whole, at, known, used)
+    given_last(case, whole, at, is_known, is_used)
     unpack(case, whole, at, N, work[0], work[1], work[2], z)
     return outcome
 
@@ -133,16 +133,16 @@ def begin(case: Any, z: Vector, N: int, whole: Vector, marks: Any) -> tuple[int,
         Index of the first unknown of each phase; whether each unknown is known; whether each
         condition is used.
     """
-    kinds, at, known, used = case[0], marks[0], marks[1], marks[2]
+    kinds, at, is_known, is_used = case[0], marks[0], marks[1], marks[2]
     fill_places(kinds, N, at)
     for i in range(len(kinds) + (1 if case[4][2] != 0 else 0)):
         whole[len(whole) - 1 - i] = z[len(z) - 1 - i]
-    given_alone(case, whole, at, known, used)
-    first, unknown = known_begin(case, at, known), len(whole)
+    given_alone(case, whole, at, is_known, is_used)
+    first, unknown = known_begin(case, at, is_known), len(whole)
     if first < 0:
-        given_last(case, whole, at, known, used)
+        given_last(case, whole, at, is_known, is_used)
     for i in range(len(whole)):
-        unknown -= 1 if known[i] else 0
+        unknown -= 1 if is_known[i] else 0
     return first, unknown
 
 
@@ -158,7 +158,7 @@ def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float,
     first, n = begin(case, z, N, lines[0, :size], marks[count:])
     if first >= 0:
         return one_by_one(case, z, N, limit, rooms, lines, marks, first)
-    at, known, used = marks[count], marks[count + 1], marks[count + 2]
-    work, left = workplace(case, N, rooms, marks), np.zeros((size, size))
-    place = (case, at, N, work, lines[0, :size], left, known, used)
+    at, is_known, is_used = marks[count], marks[count + 1], marks[count + 2]
+    work, conditions = workplace(case, N, rooms, marks), np.zeros((size, size))
+    place = (case, at, N, work, lines[0, :size], conditions, is_known, is_used)
     return all_at_once(place, z, limit, np.empty((n, n)), marks[count + 3], lines[1:])

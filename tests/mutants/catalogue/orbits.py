@@ -145,8 +145,8 @@ MUTANTS = (
     Mutant(
         "rows of a band are never exchanged",
         "solver/maps/band.py",
-        "if LARGE * abs(own) <",
-        "if 1e300 * abs(own) <",
+        "if LARGE * abs(diagonal) <",
+        "if 1e300 * abs(diagonal) <",
         ("tests/maps/test_band.py",),
     ),
     Mutant(
