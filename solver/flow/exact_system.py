@@ -50,22 +50,22 @@ def ends(case: Any, z: Vector, theta: Vector) -> tuple[Any, Any]:
     They are `gained` and `gained_by` of `joints`.
     """
     kinds, numbers, setting, _, cell = case[:5]
-    count, more = len(kinds), len(setting)
+    count, memories = len(kinds), len(setting)
     gained, gained_by = np.zeros((count, 2)), np.zeros((count, 2, 5))
     for p in range(count):
         # as Python's floats: NumPy's are slow, and round complex quotients differently
         m, c, k = float(numbers[p, M]), float(numbers[p, C]), float(numbers[p, K])
-        x, v, s = float(z[2 * p]), float(z[2 * p + 1]), float(z[2 * count + more + p])
+        x, v, s = float(z[2 * p]), float(z[2 * p + 1]), float(z[2 * count + memories + p])
         force = float(numbers[p, F])
         if kinds[p, FREE] == 0:  # the velocity at which it is held; see `arrays`
             gained[p, 0], gained[p, 1] = s * force, force - v
             gained_by[p, 0, 0], gained_by[p, 1, 4] = force, -1.0
             continue
-        for i in range(more):
+        for i in range(memories):
             force = force + float(numbers[p, MEMORY + i] * z[2 * count + i])
         xx, xv, vx, vv, less_x, less_v = by_start(m, c, k, s)
         push, forced_x, forced_v = force, 0.0, 0.0
-        if force != 0 or more > 0:
+        if force != 0 or memories > 0:
             unit_x, unit_v = by_force(m, c, k, s)
             forced_x, forced_v = force * unit_x, force * unit_v
             gained_by[p, 0, 2], gained_by[p, 1, 2] = unit_x, unit_v
@@ -118,9 +118,9 @@ def jacobian(case: Any, z: Vector, J: Matrix) -> None:
 
 def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     """Return these functions and Newton's method for them, plain or compiled."""
-    found = linking.made((joining, divided, responses, equations), {}, make)
-    own = found["residual"], found["jacobian"], make(linking.times_of, found, False)
-    return found | {"iterate": linking.newton_with(*own, make)["iterate_scene"]}
+    exports = linking.made((joining, divided, responses, equations), {}, make)
+    system = exports["residual"], exports["jacobian"], make(linking.times_of, exports, False)
+    return exports | {"iterate": linking.newton_with(*system, make)["iterate_scene"]}
 
 
 #: These functions, linked as plain Python or compiled, with accounts of the time they take.
@@ -130,11 +130,11 @@ FAMILY = Family(linked, (joining, divided, responses, *linking.NEWTON), iterate_
 @lru_cache(maxsize=256)
 def arrays(cell: Cell) -> Arrays:
     """Return the arrays of a cell; the force of a held phase is replaced by its velocity."""
-    found = arrays_of(cell)
+    arrays_ = arrays_of(cell)
     for p, phase in enumerate(cell.phases):
         if phase.held:
-            found.numbers[p, F] = phase.speed
-    return found
+            arrays_.numbers[p, F] = phase.speed
+    return arrays_
 
 
 def exact_kernel(cell: Cell) -> Kernel:
@@ -168,9 +168,9 @@ def unknowns_of(motion: "Motion") -> Vector:
 
 def motion(cell: Cell, z: Vector, p: int, u: Vector, derivative: int) -> Vector:
     """Return a derivative of the displacement on phase `p` at local times in [0, 1]."""
-    count, more = len(cell.phases), len(cell.memory)
-    durations = z[2 * count + more :][:count]
-    phase = cell.phases[p].remembering(z[2 * count : 2 * count + more].tolist())
+    count, memories = len(cell.phases), len(cell.memory)
+    durations = z[2 * count + memories :][:count]
+    phase = cell.phases[p].remembering(z[2 * count : 2 * count + memories].tolist())
     angle = (float(z[-1]) if cell.forced else 0.0) + cell.omega * float(durations[:p].sum())
     t = durations[p] * np.asarray(u, dtype=float)
     return flow.motion(phase, z[2 * p : 2 * p + 2], angle, cell.omega, t, derivative)
