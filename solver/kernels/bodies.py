@@ -97,7 +97,7 @@ def kernel(
         account = None if compile_it else spent
         linked_functions = (FAMILY.compiled if compile_it else FAMILY.plain)(events.__name__)
         solving = [_of_arrays(linked_functions[name]) for name in SOLVING]
-    made = _made(method, count, len(memory), forced, 0, solving)
+    bare = _made(method, count, len(memory), forced, 0, solving)
 
     def coefficients(z: Vector) -> dict[str, tuple[Any, int]]:
         return {name: (z[i], power) for i, (name, _, power, _) in enumerate(memory)}
@@ -105,15 +105,15 @@ def kernel(
     def given(case: Any, order: int) -> Given:
         return Given(case.cell, order, beside)
 
-    return replace(made, coefficients=coefficients, given=given, account=account)
+    return replace(bare, coefficients=coefficients, given=given, account=account)
 
 
 def exact_kernel(cell: "BodyCell") -> Kernel:
     """Return the kernel of the exact equations of a cell of a body."""
     count, memory = len(cell.phases), len(cell.memory)
     solving = _of_evaluations(count, cell.forced)
-    made = _made("exact", count, memory, cell.forced, 2 * count, solving)
-    return replace(made, given=lambda case, order: Given(cell, 0))
+    bare = _made("exact", count, memory, cell.forced, 2 * count, solving)
+    return replace(bare, given=lambda case, order: Given(cell, 0))
 
 
 def _of_evaluations(count: int, forced: bool) -> list[Any]:

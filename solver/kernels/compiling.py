@@ -84,8 +84,8 @@ class Account:
         """
         if not self._cached and self.seconds > 2 * self._looked:
             folder, pattern = os.environ.get("NUMBA_CACHE_DIR"), f"*.{self._name}-*.nbc"
-            beside = (Path(self._file).parent / "__pycache__").glob(pattern)
-            self._cached = any(Path(folder).rglob(pattern) if folder else beside)
+            files = (Path(self._file).parent / "__pycache__").glob(pattern)
+            self._cached = any(Path(folder).rglob(pattern) if folder else files)
             self._looked = self.seconds
         return self._cached
 
@@ -176,10 +176,10 @@ def _cached(function: types.FunctionType, source: Path, options: dict[str, Any])
     from .numba_cache import check_cache, guard, owned  # noqa: PLC0415
 
     with owned():
-        found = numba.jit(cache=True, **options)(function)
-    check_cache(found._cache, source)
-    guard(found._cache, f"{function.__module__}.{function.__qualname__}", _warn_once)
-    return found
+        compiled = numba.jit(cache=True, **options)(function)
+    check_cache(compiled._cache, source)
+    guard(compiled._cache, f"{function.__module__}.{function.__qualname__}", _warn_once)
+    return compiled
 
 
 #: The warning that was given in this process: one is enough.
@@ -188,7 +188,7 @@ _SAID: list[str] = []
 
 def _warn_once(folder: str, cause: str) -> None:
     """Warn, once in a process, that compiled kernels are not cached."""
-    words = f"numba's cache: {folder}: {cause}; kernels are compiled for this process alone"
+    message = f"numba's cache: {folder}: {cause}; kernels are compiled for this process alone"
     if not _SAID:
-        _SAID.append(words)
-        warnings.warn(words, CacheWarning, stacklevel=3)
+        _SAID.append(message)
+        warnings.warn(message, CacheWarning, stacklevel=3)

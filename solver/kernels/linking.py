@@ -136,8 +136,8 @@ def made(
         and value.__module__ == module.__name__
         and "NotImplementedError" not in value.__code__.co_names
     }
-    others = {name for name, q in given.items() if callable(q) and name not in of_numbers}
-    counted = set(functions) if make is rebuilt else with_arrays(functions, others)
+    callables = {name for name, q in given.items() if callable(q) and name not in of_numbers}
+    counted = set(functions) if make is rebuilt else with_arrays(functions, callables)
     for name, value in functions.items():
         namespace[name] = make(value, namespace, name in counted)
     namespace |= given

@@ -100,8 +100,8 @@ def _seal(impl: Any, hash_of: Callable[[bytes], str]) -> None:
         return hash_of(content), content
 
     def checked(context: Any, kept: tuple[str, bytes]) -> Any:
-        found, content = kept
-        if found != hash_of(content):
+        digest, content = kept
+        if digest != hash_of(content):
             raise ValueError("not what was kept")
         return rebuild(context, pickle.loads(content))
 

@@ -90,19 +90,19 @@ class Layout:
 
     def coefficients(self, z: Vector) -> dict[str, tuple[Any, int]]:
         """Return the coefficients by name, each with the power of 1/time in its unit."""
-        order, found, at = (len(z) - self.fixed) // self.free, {}, 0
+        order, by_name, at = (len(z) - self.fixed) // self.free, {}, 0
         for name, free, k, left in self.phases:
-            found[f"x_{name}"], found[f"v_{name}"] = (z[at], 0), (z[at + 1], 1)
+            by_name[f"x_{name}"], by_name[f"v_{name}"] = (z[at], 0), (z[at + 1], 1)
             at += 2
             if free:
-                found[f"d_{name}"] = (z[at : at + order + k], 2)
+                by_name[f"d_{name}"] = (z[at : at + order + k], 2)
                 at += order + k
             for i in range(left):
-                found[f"tau{i}_{name}"] = (z[at + i], 2)
+                by_name[f"tau{i}_{name}"] = (z[at + i], 2)
             at += left
         for i, (name, _, power, _) in enumerate(self.scene.memory):
-            found[name] = (z[at + i], power)
-        return found
+            by_name[name] = (z[at + i], power)
+        return by_name
 
     def given(self, case: Case, order: int) -> Any:
         """Return the first argument of the kernel's functions for a case.

@@ -21,8 +21,8 @@ _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"
 def names() -> tuple[str, ...]:
     """Return the names of the shipped scenes: the folders of ``generated/`` that hold one."""
     folders = importlib.import_module(_GENERATED).__path__
-    found = (path for folder in folders for path in Path(folder).glob(f"*/{SCENE}.py"))
-    return tuple(sorted({path.parent.name.replace("_", "-") for path in found}))
+    paths = (path for folder in folders for path in Path(folder).glob(f"*/{SCENE}.py"))
+    return tuple(sorted({path.parent.name.replace("_", "-") for path in paths}))
 
 
 def load(name: str) -> LoadedScene:
@@ -33,11 +33,11 @@ def load(name: str) -> LoadedScene:
     UnknownScene
         If there is no such scene.
     """
-    known = names()
-    wanted = name.replace("_", "-") if isinstance(name, str) else ""
-    if wanted not in known:
-        raise UnknownScene(f"scene: got {name!r}, expected {one_of(name, known)}")
-    module = importlib.import_module(f"{_GENERATED}.{wanted.replace('-', '_')}.{SCENE}")
+    shipped = names()
+    hyphenated = name.replace("_", "-") if isinstance(name, str) else ""
+    if hyphenated not in shipped:
+        raise UnknownScene(f"scene: got {name!r}, expected {one_of(name, shipped)}")
+    module = importlib.import_module(f"{_GENERATED}.{hyphenated.replace('-', '_')}.{SCENE}")
     return LoadedScene(module, Path(str(module.__file__)).parent)
 
 
@@ -56,18 +56,18 @@ def generic_method(scene: LoadedScene, method: object) -> str:
     UnknownScene
         If the scene has no kernel of it.
     """
-    known = methods(scene)
-    wanted = generic(scene, method) if isinstance(method, str) else ""
-    base = without_class(wanted)
-    if wanted not in known and not (base in known and class_one(scene, base) == wanted):
-        expected = one_of(method, known)
+    valid = methods(scene)
+    name = generic(scene, method) if isinstance(method, str) else ""
+    base = without_class(name)
+    if name not in valid and not (base in valid and class_one(scene, base) == name):
+        expected = one_of(method, valid)
         if scene.has_body and about(base).kernel:
             expected = (
-                f"{', '.join(known)}, which expand the contact force: an expansion of a body's "
+                f"{', '.join(valid)}, which expand the contact force: an expansion of a body's "
                 "coordinates needs N > omega tau/2, omega of its fastest mode, tau of a phase"
             )
         raise UnknownScene(f"method: got {method!r}, expected {expected}")
-    return wanted
+    return name
 
 
 def class_one(scene: LoadedScene, method: str) -> str | None:
@@ -125,11 +125,11 @@ def _kernel(
     """Return the kernel of a method, compiled if ``compiles(account)``."""
     from . import polynomials, series  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
-    wanted = generic_method(scene, method)
-    name, facts = without_class(wanted), about(wanted)
+    generic_name = generic_method(scene, method)
+    name, facts = without_class(generic_name), about(generic_name)
     scene = scene.each_motion[0]
-    known = facts.functions or (None,)
-    if number not in known:
+    allowed = facts.functions or (None,)
+    if number not in allowed:
         expected = ", ".join(map(str, facts.functions)) or "none"
         raise UnknownScene(f"functions: got {number!r}, expected for {name}: {expected}")
     if scene.has_body:
@@ -140,7 +140,7 @@ def _kernel(
     if facts.is_series:
         layout = series.Layout(scene, name, number or 0)
     else:
-        layout = polynomials.Layout(scene, name, wanted != name)
+        layout = polynomials.Layout(scene, name, generic_name != name)
     return layout.family.kernel(layout, compiles(layout.family.account(name)))
 
 
@@ -149,7 +149,7 @@ def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:
 
     It does not depend on the title of the scene, on defaults of its parameters or on words.
     """
-    wanted = {without_class(generic_method(scene, method)) for method in chosen}
+    generic_names = {without_class(generic_method(scene, method)) for method in chosen}
     texts = [scene.module.MATHEMATICS, *(q.module.MATHEMATICS for q in scene.each_motion)]
-    texts += [f"{q} {module_of(q).MATHEMATICS}" for q in sorted(wanted)]
+    texts += [f"{q} {module_of(q).MATHEMATICS}" for q in sorted(generic_names)]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]

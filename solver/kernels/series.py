@@ -82,15 +82,15 @@ class Layout:
     def coefficients(self, z: Vector) -> dict[str, tuple[Any, int]]:
         """Return the coefficients by name, each with the power of 1/time in its unit."""
         number, at = (len(z) - self.fixed) // 2, 0
-        found: dict[str, tuple[Any, int]] = {}
+        by_name: dict[str, tuple[Any, int]] = {}
         if not self.half:
-            found["a0"], at = (z[0], 0), 1
+            by_name["a0"], at = (z[0], 0), 1
         for name in ("a", "b"):
-            found[name] = z[at : at + number], 0
+            by_name[name] = z[at : at + number], 0
             at += number
         for i, (name, power) in enumerate(self.single):
-            found[name] = z[at + i], power
-        return found
+            by_name[name] = z[at + i], power
+        return by_name
 
     def given(self, case: Case, order: int) -> Any:
         """Return the first argument of the kernel's functions for a case."""

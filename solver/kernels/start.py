@@ -120,10 +120,10 @@ def is_reversible(cell: Cell) -> bool:
 
 def is_singular(kernel: Kernel, case: Case, order: int, times: Vector) -> bool:
     """Return whether the Jacobian of a kernel is singular at times and best coefficients."""
-    given = kernel.given(case, order)
-    z = with_coefficients(kernel, given, kernel.size(order), times)
+    arguments = kernel.given(case, order)
+    z = with_coefficients(kernel, arguments, kernel.size(order), times)
     J = np.empty((len(z), len(z)))
-    kernel.jacobian(given, z, J)
+    kernel.jacobian(arguments, z, J)
     if not np.isfinite(J).all():
         return False
     values = np.linalg.svd(equilibrated(J), compute_uv=False)

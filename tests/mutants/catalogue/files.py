@@ -67,7 +67,7 @@ MUTANTS = (
     Mutant(
         "compiled code is run whatever its hash",
         "solver/kernels/numba_cache.py",
-        "if found != hash_of(content):",
+        "if digest != hash_of(content):",
         "if False:",
         (f"{CACHE}::test_damaged_files_are_compiled_anew",),
     ),
