@@ -78,28 +78,28 @@ def violations(
     """
     durations = orbit.cell_durations
     total, unit = float(np.sum(durations)), orbit.case.units.time
-    found = [
+    reasons = [
         f"{phase.name} lasts {s * unit:.6g} s of {total * unit:.6g} s: it has no duration"
         for phase, s in zip(orbit.cell.phases, durations, strict=True)
         if not s > SHORTEST * total > 0
     ]
-    if found or not np.isfinite(durations).all():
-        return tuple(found) or ("the durations are not finite",)
+    if reasons or not np.isfinite(durations).all():
+        return tuple(reasons) or ("the durations are not finite",)
     undetermined = _undetermined(orbit)
     if undetermined:
         return undetermined
     if unmet:
-        found += _unmet(orbit, unmet)
+        reasons += _unmet(orbit, unmet)
         allowed = _with_unmet(orbit, allowed, unmet)
     for p, phase in enumerate(orbit.cell.phases):
-        found += _held(orbit, p)
+        reasons += _held(orbit, p)
         for words, form in phase.demands:
-            found += _demand(orbit, p, words, form, allowed)
+            reasons += _demand(orbit, p, words, form, allowed)
         for words, form in phase.switch_demands:
-            found += _at_switch(orbit, p, words, form, allowed)
+            reasons += _at_switch(orbit, p, words, form, allowed)
         if not any(vanishes_by_event(orbit, p, form) for _, form in phase.demands):
-            found += _too_late(orbit, p, allowed)
-    return tuple(found) or _repeated(orbit)
+            reasons += _too_late(orbit, p, allowed)
+    return tuple(reasons) or _repeated(orbit)
 
 
 def _undetermined(orbit: Motion) -> tuple[str, ...]:
@@ -111,8 +111,8 @@ def _undetermined(orbit: Motion) -> tuple[str, ...]:
         moved = ROUNDOFF * moved_times(orbit, with_sums=True)
     return tuple(
         Undecided(f"{phase.name} lasts {s * unit:.6g} s, and rounding may be as much")
-        for phase, s, off in zip(orbit.cell.phases, durations, moved, strict=False)
-        if not off < UNKNOWN * s
+        for phase, s, change in zip(orbit.cell.phases, durations, moved, strict=False)
+        if not change < UNKNOWN * s
     )
 
 
@@ -227,15 +227,15 @@ def _held(orbit: Motion, p: int) -> list[str]:
 def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
     """Return how a demand is violated within a phase, if it is."""
     phase, scale = orbit.cell.phases[p], scale_of(orbit, p, form)
-    along = partial(value, orbit, p, form)
+    signal = partial(value, orbit, p, form)
     if not np.isfinite(scale):
         return [Undecided(f"in {phase.name}, where {words}: the motion is not finite")]
-    parts = chebyshev.pieces(along, scale)
+    parts = chebyshev.pieces(signal, scale)
     if not all(part.resolved for part in parts):
         why = "the motion has more waves than can be followed, or is smaller than rounding"
         return [Undecided(f"in {phase.name}, where {words}: {why}")]
     points = chebyshev.candidates(parts)
-    values = along(points)
+    values = signal(points)
     worst = int(np.argmin(values))
     below = -float(values[worst])
     if below > _rounding_of(orbit, scale, values) and (

@@ -36,10 +36,10 @@ def defect(orbit: Motion, p: int) -> tuple[float, float]:
     rests at a known place, they are the differences from rest there.
     """
     phase, s = orbit.cell.phases[p], float(orbit.cell_durations[p])
-    place = orbit.cell.place(p)
-    if place is not None:
+    position = orbit.cell.place(p)
+    if position is not None:
         x, v = (orbit.part(p, LOOK, j) for j in (0, 1))
-        return float(np.abs(v).max()), float(np.abs(x - place).max())
+        return float(np.abs(v).max()), float(np.abs(x - position).max())
 
     def terms(u: Vector) -> Vector:
         if phase.held:

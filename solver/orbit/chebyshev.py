@@ -51,10 +51,10 @@ class Piece:
     def critical_points(self) -> Vector:
         """Return the real roots of the derivative, and points near roots up to rounding."""
         sizes = np.abs(self.coefficients)
-        kept = int(np.nonzero(sizes > ROUNDING * sizes.max(initial=0.0))[0].max(initial=0)) + 1
-        if kept == 1:
+        count = int(np.nonzero(sizes > ROUNDING * sizes.max(initial=0.0))[0].max(initial=0)) + 1
+        if count == 1:
             return np.empty(0)
-        roots = chebyshev.chebroots(chebyshev.chebder(self.coefficients[:kept]))
+        roots = chebyshev.chebroots(chebyshev.chebder(self.coefficients[:count]))
         near = (np.abs(roots.imag) <= NEAR) & (np.abs(roots.real) <= 1 + NEAR)
         w = np.clip(roots[near].real, -1.0, 1.0)
         return np.asarray(self.start + (self.end - self.start) * (1 + w) / 2)
@@ -81,7 +81,7 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
         rounding errors limit its resolution.
     """
     nodes, matrix = interpolation(DEGREE)
-    found: list[Piece] = []
+    interpolants: list[Piece] = []
     starts, length, last_before = np.zeros(1), 1.0, np.full(1, np.inf)
     while len(starts):  # pieces of one length at a time
         values = function((starts[:, None] + length * (1 + nodes) / 2).ravel())
@@ -90,9 +90,9 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
         last = np.abs(coefficients[:, -LAST:]).max(axis=1)
         only_noise = (last <= NOISE * size) & (last > last_before / 100)
         resolved = (last <= RESOLVED * size) | only_noise
-        many = len(found) + len(starts) >= MOST
-        done = resolved | many | (length <= SHORTEST)
-        found += [
+        too_many = len(interpolants) + len(starts) >= MOST
+        done = resolved | too_many | (length <= SHORTEST)
+        interpolants += [
             Piece(float(start), float(start) + length, row, bool(is_resolved))
             for start, row, is_resolved in zip(
                 starts[done], coefficients[done], resolved[done], strict=True
@@ -101,7 +101,7 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
         length /= 2
         starts = (starts[~done, None] + np.array([0.0, length])).ravel()
         last_before = np.repeat(last[~done], 2)
-    return sorted(found, key=lambda piece: piece.start)
+    return sorted(interpolants, key=lambda piece: piece.start)
 
 
 def candidates(parts: list[Piece]) -> Vector:
@@ -144,7 +144,7 @@ def derivative_at(parts: list[Piece], u: Vector, times: int) -> Vector:
     which = np.searchsorted(starts, u, side="right") - 1
     values = np.empty(len(u))
     for index, part in enumerate(parts):
-        here = which == index
-        w = 2 * (u[here] - part.start) / (part.end - part.start) - 1
-        values[here] = chebyshev.chebval(w, part.derivative(times))
+        inside = which == index
+        w = 2 * (u[inside] - part.start) / (part.end - part.start) - 1
+        values[inside] = chebyshev.chebval(w, part.derivative(times))
     return values

@@ -52,16 +52,16 @@ def moved_times(motion: Motion, with_sums: bool = False) -> Vector:
 
 def _at_once(cell: Cell, z: Vector) -> Vector:
     """Return the unknowns with phases of no duration: in their Jacobian no state changes."""
-    found, before = z.copy(), len(z) - len(cell.phases) - cell.forced
-    found[before : len(z) - cell.forced] = 0.0
-    return found
+    unknowns, before = z.copy(), len(z) - len(cell.phases) - cell.forced
+    unknowns[before : len(z) - cell.forced] = 0.0
+    return unknowns
 
 
 def _held_velocities(cell: Cell) -> list[int]:
     """Return which unknowns are velocities at which a phase is held, or begins behind one."""
-    found = []
+    indices = []
     for p, phase in enumerate(cell.phases):
         before = cell.phases[p - 1]
         if phase.held or (before.held and (before.rho, before.d) == (1.0, 0.0)):
-            found.append(2 * p + 1)
-    return found
+            indices.append(2 * p + 1)
+    return indices

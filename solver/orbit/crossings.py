@@ -48,10 +48,10 @@ def _changes(orbit: Motion, p: int, allowed: float) -> list[tuple[float, float]]
     parts = chebyshev.pieces(partial(value, orbit, p, form), scale)
     points = np.sort(chebyshev.candidates(parts))
     values = value(orbit, p, form, points)
-    kept = np.flatnonzero(np.abs(values) > allowed * scale)
-    sides = np.sign(values[kept])
-    turns = np.flatnonzero(sides[:-1] != sides[1:])
-    return [(float(points[kept[i]]), float(points[kept[i + 1]])) for i in turns]
+    clear = np.flatnonzero(np.abs(values) > allowed * scale)
+    sides = np.sign(values[clear])
+    changes = np.flatnonzero(sides[:-1] != sides[1:])
+    return [(float(points[clear[i]]), float(points[clear[i + 1]])) for i in changes]
 
 
 def _between(orbit: Motion, p: int, before: float, after: float) -> float:

@@ -59,21 +59,21 @@ def difference(found: Motion, reference: Motion, waves: int) -> Errors:
 def times_apart(found: Motion, durations: Vector | tuple[float, ...], angle: float) -> float:
     """Return the largest difference between the times of a motion and others, over the cell."""
     cell = found.case.cell
-    off = float(np.abs(found.cell_durations - durations).max())
+    distance = float(np.abs(found.cell_durations - durations).max())
     if cell.forced:
         turn = math.remainder(found.angle - angle, 2 * math.pi)
-        off = max(off, abs(turn) / cell.omega)
-    return off / float(np.sum(durations))
+        distance = max(distance, abs(turn) / cell.omega)
+    return distance / float(np.sum(durations))
 
 
 def _of_switches(found: Motion, reference: Motion) -> float:
     """Return the error `Errors.switches`."""
     phases, start = range(len(reference.cell_durations)), np.zeros(1)
-    off = max(
+    distance = max(
         abs(float((found.part(p, start, 0) - reference.part(p, start, 0))[0])) for p in phases
     )
     size = max(float(np.abs(reference.part(p, LOOK, 0)).max()) for p in phases)
-    return off / size if size else off
+    return distance / size if size else distance
 
 
 def _of_derivative(found: Motion, reference: Motion, waves: int) -> float:

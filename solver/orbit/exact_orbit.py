@@ -59,8 +59,8 @@ class ExactOrbit(Shown):
     def memory_values(self) -> tuple[float, ...]:
         """Values of the memory, set by switches of the cell, without units."""
         count = len(self.case.cell.phases)
-        found = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
-        return tuple(map(float, found))
+        values = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
+        return tuple(map(float, values))
 
     def _least_sizes(self, p: int) -> Vector | float:
         """Return sizes below which signals of a body on phase `p` are mostly rounding."""
@@ -86,12 +86,12 @@ class ExactOrbit(Shown):
         Times of orbits are kept: expansions of all orders lead to the same solution, and to
         judge it takes longer than to find it.
         """
-        times, known = self.times, _admitted(self.case)
-        if any(np.abs(other - times).max() <= EQUAL * np.abs(times).max() for other in known):
+        times, admitted = self.times, _admitted(self.case)
+        if any(np.abs(q - times).max() <= EQUAL * np.abs(times).max() for q in admitted):
             return True
         is_orbit = not (admissible.is_seen_violated(self) or self.violations)
         if is_orbit and self.outcome.converged:
-            known.append(times)
+            admitted.append(times)
         return is_orbit
 
     @property

@@ -42,5 +42,5 @@ def vanishes_by_event(orbit: Motion, p: int, form: Form) -> bool:
     if not event.any() or not demand.any():
         return False
     demand, event = demand / np.linalg.norm(demand), event / np.linalg.norm(event)
-    apart = min(np.linalg.norm(demand - event), np.linalg.norm(demand + event))
-    return bool(apart <= EQUAL)
+    distance = min(np.linalg.norm(demand - event), np.linalg.norm(demand + event))
+    return bool(distance <= EQUAL)

@@ -128,8 +128,8 @@ class Solution(Shown):
             return not_followed(self)
         if near.admissible:
             return ()
-        words = f"the exact solution next to it is not an orbit: {'; '.join(near.violations)}"
-        return (words,)
+        reason = f"the exact solution next to it is not an orbit: {'; '.join(near.violations)}"
+        return (reason,)
 
     @property
     def admissible(self) -> bool:
@@ -177,6 +177,6 @@ def attempt(
         As in `Solution`.
     """
     with kernel.spending():
-        given = kernel.given(case, order)
-        outcome = solved(kernel, given, kernel.size(order), times)
+        arguments = kernel.given(case, order)
+        outcome = solved(kernel, arguments, kernel.size(order), times)
     return Solution(case, kernel.method, order, outcome, outcome.iterations, functions)
