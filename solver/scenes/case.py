@@ -161,8 +161,8 @@ class Case:
             If the scene has several motions: each has a cell of its own.
         """
         if self.scene.motions:
-            known = ", ".join(self.scene.motions)
-            raise ValueError(f"motion: got none, expected one of {known}")
+            motions = ", ".join(self.scene.motions)
+            raise ValueError(f"motion: got none, expected one of {motions}")
         return self.scene.cell(self.numbers, self.cycles, self.units)
 
     @property
@@ -247,10 +247,10 @@ def _unmet(scene: "LoadedScene", values: Mapping[str, float]) -> list[str]:
     conditions = scene.numbers("requires", tuple(values.values()))
     symbols = {parameter.symbol: parameter.name for parameter in scene.parameters}
     errors = []
-    for words, value in zip(scene.module.REQUIRES, conditions, strict=True):
+    for text, value in zip(scene.module.REQUIRES, conditions, strict=True):
         if not value >= 0:
-            named = [symbols.get(word, word) for word in words.replace(",", " ").split()]
+            named = [symbols.get(word, word) for word in text.replace(",", " ").split()]
             numbers = [f"{name} = {values[name]!r}" for name in named if name in values]
             got = " and ".join(numbers) or f"{value:.6g} for what must not be negative"
-            errors.append(f"parameters: got {got}, expected that {words}")
+            errors.append(f"parameters: got {got}, expected that {text}")
     return errors

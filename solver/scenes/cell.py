@@ -201,8 +201,8 @@ class Cell:
         """
         ex, ev, ec, constant, *memory = self.phases[p - 1].event
         phase, sign = self.phases[p], self.sign if p == 0 else 1
-        known = ex != 0 and not (ev or ec or any(memory))
-        return -sign * constant / ex if known and phase.held and phase.speed == 0 else None
+        is_known = ex != 0 and not (ev or ec or any(memory))
+        return -sign * constant / ex if is_known and phase.held and phase.speed == 0 else None
 
     @property
     def forced(self) -> bool:
@@ -234,9 +234,9 @@ def cell_of(scene: "LoadedScene", numbers: tuple[float, ...], cycles: int = 1) -
     for equation, fields in zip(equations, fields_of_phases(scene, numbers), strict=True):
         m, c, k, f, g, *memory = map(float, equation)
         phases.append(Phase(m=m, c=c, k=k, f=f, g=g, memory=tuple(memory), **fields))
-    found = Cell(phases=tuple(phases), **fields_of_cell(scene, numbers))
+    cell = Cell(phases=tuple(phases), **fields_of_cell(scene, numbers))
     start = form_of(scene.numbers("start", numbers)) if scene.has_start else ()
-    return replace(found, cycles=cycles, start=start)
+    return replace(cell, cycles=cycles, start=start)
 
 
 def fields_of_phases(

@@ -27,18 +27,18 @@ def classes(cell: Cell) -> tuple[int, ...]:
 
 def _class(cell: Cell, p: int) -> int:
     """Return the k of the class C^k at the switch that begins phase `p`."""
-    left, sign = (p - 1) % len(cell.phases), cell.sign if p == 0 else 1
-    if any(jump != (1.0, 0.0) for jump in cell.phases[left].jumps):
+    previous, sign = (p - 1) % len(cell.phases), cell.sign if p == 0 else 1
+    if any(jump != (1.0, 0.0) for jump in cell.phases[previous].jumps):
         return 0
-    A, rows, signals = _side(cell, left, sign)
+    A, rows, signals = _side(cell, previous, sign)
     A_after, rows_after, signals_after = _side(cell, p, 1)
-    vanishing = [np.array(cell.phases[left].event) @ signals]
-    for phase, of in ((cell.phases[left], signals), (cell.phases[p], signals_after)):
+    vanishing = [np.array(cell.phases[previous].event) @ signals]
+    for phase, of in ((cell.phases[previous], signals), (cell.phases[p], signals_after)):
         if phase.held:
             vanishing.append(of[1] - phase.speed * of[3])
-    place = cell.place(left)
-    if place is not None:
-        vanishing.append(signals[0] - place * signals[3])
+    position = cell.place(previous)
+    if position is not None:
+        vanishing.append(signals[0] - position * signals[3])
     for memory, value in zip(cell.memory, signals_after[cell.phases[p].width :], strict=True):
         if memory.phase == p:
             vanishing.append(

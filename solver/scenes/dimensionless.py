@@ -73,9 +73,9 @@ def units_of(
 
 def _powers_of_four(powers: tuple[Powers, ...], values: tuple[float, ...]) -> Powers:
     """Return powers of 4 as units of mass, length and time in which values are nearest to 1."""
-    known = [(p, math.log2(abs(v))) for p, v in zip(powers, values, strict=True) if v]
-    rows = np.array([p for p, _ in known], dtype=float).reshape(-1, 3)
-    exponents, *_ = np.linalg.lstsq(rows, np.array([size for _, size in known]))
+    nonzero = [(p, math.log2(abs(v))) for p, v in zip(powers, values, strict=True) if v]
+    rows = np.array([p for p, _ in nonzero], dtype=float).reshape(-1, 3)
+    exponents, *_ = np.linalg.lstsq(rows, np.array([size for _, size in nonzero]))
     mass, length, time = (2.0 ** float(np.clip(2 * round(e / 2), -500, 500)) for e in exponents)
     return mass, length, time
 

@@ -56,8 +56,8 @@ class Parameter:
     @property
     def expected(self) -> str:
         """The values allowed, in words."""
-        words = {"positive": "a positive number", "nonnegative": "a number not below 0"}
-        low = words.get(self.bound, "a finite number")
+        phrases = {"positive": "a positive number", "nonnegative": "a number not below 0"}
+        low = phrases.get(self.bound, "a finite number")
         return low if self.most is None else f"{low}, at most {self.most:g}"
 
     def allows(self, value: float) -> bool:
@@ -211,15 +211,15 @@ class LoadedScene:
         """
         if self.motion is not None and name == self.motion:
             return self
-        wanted = name.replace("_", "-") if isinstance(name, str) else name
-        known = {motion.replace("_", "-"): motion for motion in self.motions}
+        hyphenated = name.replace("_", "-") if isinstance(name, str) else name
+        names = {motion.replace("_", "-"): motion for motion in self.motions}
         if not self.motions:
             raise UnknownScene(f"motion: got {name!r}, but {self.label} has only one")
-        if wanted not in known:
+        if hyphenated not in names:
             raise UnknownScene(f"motion: got {name!r}, expected {one_of(name, self.motions)}")
-        folder = known[str(wanted)].replace("-", "_")
-        kept = None if self.kept is None else sealed.below(self.kept, folder)
-        return load_folder(self.folder / folder, kept)
+        folder = names[str(hyphenated)].replace("-", "_")
+        content = None if self.kept is None else sealed.below(self.kept, folder)
+        return load_folder(self.folder / folder, content)
 
     @property
     def fullest(self) -> "LoadedScene":
@@ -276,10 +276,10 @@ def load_folder(folder: str | Path, kept: Kept | None = None) -> LoadedScene:
         See `sealed.read`.
     """
     path = Path(folder).resolve() / f"{SCENE}.py"
-    found = sealed.read_any(path.parent) if kept is None else kept
-    if not (path.is_file() if found is None else path.name in found):
+    content = sealed.read_any(path.parent) if kept is None else kept
+    if not (path.is_file() if content is None else path.name in content):
         raise UnknownScene(f"scene: no {SCENE}.py in {str(folder)!r}")
-    return LoadedScene(_module_of(path, found), path.parent, found)
+    return LoadedScene(_module_of(path, content), path.parent, content)
 
 
 def _module_of(path: Path, kept: Kept | None = None) -> types.ModuleType:

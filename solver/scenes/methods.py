@@ -75,9 +75,9 @@ def module_of(method: str) -> ModuleType:
 
 def in_order(methods: Iterable[str]) -> tuple[str, ...]:
     """Return methods in the order of their records; those without a record come last."""
-    known = [*METHODS]
-    place = {method: i for i, method in enumerate(known)}
-    return tuple(sorted(methods, key=lambda m: (place.get(without_class(m), len(known)), m)))
+    recorded = [*METHODS]
+    index = {method: i for i, method in enumerate(recorded)}
+    return tuple(sorted(methods, key=lambda m: (index.get(without_class(m), len(recorded)), m)))
 
 
 def methods(scene: LoadedScene) -> tuple[str, ...]:

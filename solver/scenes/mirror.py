@@ -22,8 +22,8 @@ def mirror(phase: Phase) -> Phase:
 
 def _mirrored(form: Form) -> Form:
     """Return a form of the mirror image: all signs change but that of the constant."""
-    x, v, cos, constant, *others = form
-    return -x, -v, -cos, constant, *(-factor for factor in others)
+    x, v, cos, constant, *factors = form
+    return -x, -v, -cos, constant, *(-factor for factor in factors)
 
 
 def same(one: Form, other: Form) -> bool:
@@ -61,9 +61,9 @@ def is_image(one: Phase, other: Phase) -> bool:
 
     image = mirror(one)
     alike = numbers(image) == numbers(other) and all(map(same, laws(image), laws(other)))
-    forms, others = ([form for _, form in q.demands] for q in (image, other))
-    demands = all(any(_demand_the_same(a, b) for b in others) for a in forms)
-    return alike and demands and len(forms) == len(others) and not (one.memory or other.memory)
+    forms, theirs = ([form for _, form in q.demands] for q in (image, other))
+    demands = all(any(_demand_the_same(a, b) for b in theirs) for a in forms)
+    return alike and demands and len(forms) == len(theirs) and not (one.memory or other.memory)
 
 
 def _demand_the_same(one: Form, other: Form) -> bool:

@@ -49,7 +49,7 @@ def image(cell: Cell, step: Step) -> Step | None:
     if cell.sign < 0:
         return Step(step.phase, not step.mirrored)
     phase = cell.phases[step.phase]
-    images = (q for q, other in enumerate(cell.phases) if is_image(phase, other))
+    images = (q for q, candidate in enumerate(cell.phases) if is_image(phase, candidate))
     return next(map(Step, images), None)
 
 
@@ -163,10 +163,10 @@ class OrderedScene(LoadedScene):
         cell = replace(cell, classes=classes(cell))
         for p, k in enumerate(cell.classes):
             if k == HIGHEST:
-                one, other = cell.phases[p - 1].name, cell.phases[p].name
+                before, after = cell.phases[p - 1].name, cell.phases[p].name
                 raise UnknownScene(
-                    f"phases: got {self.motion}, but nothing changes where {one} ends and "
-                    f"{other} begins"
+                    f"phases: got {self.motion}, but nothing changes where {before} ends and "
+                    f"{after} begins"
                 )
         return cell
 
@@ -211,17 +211,17 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     Each phase of the order that sets a memory has a memory of its own.
     """
     setters = [memory.phase for memory in cell.memory]
-    places = [(q, tuple(_columns(setters, order, p))) for p, q in enumerate(order.steps)]
+    slots = [(q, tuple(_columns(setters, order, p))) for p, q in enumerate(order.steps)]
     mirrored = [_begins_mirrored(cell, order, p) for p in range(len(order.steps))]
     memory = [_set_in(p, cell.memory[i], mirrored[p]) for i, p in _settings(setters, order)]
-    made = {
+    variants = {
         (step, columns): _with_columns(_phase_of(cell, step), columns, len(memory))
-        for step, columns in set(places)
+        for step, columns in set(slots)
     }
     names = numbered([q.name for q in memory])
     return replace(
         cell,
-        phases=tuple(made[place] for place in places),
+        phases=tuple(variants[slot] for slot in slots),
         sign=-1 if order.half_period else 1,
         guess=cell.guess if order == declared_order(cell) else (),
         cycles=1,
@@ -254,10 +254,10 @@ def _begins_mirrored(cell: Cell, order: Order, p: int) -> bool:
 
 def _set_in(p: int, memory: Memory, mirrored: bool) -> Memory:
     """Return a memory as phase `p` of an order sets it, mirrored or not."""
-    x, v, cos, constant, *others = memory.value
+    x, v, cos, constant, *factors = memory.value
     if mirrored:
         constant = -constant
-    return replace(memory, phase=p, value=(x, v, cos, constant, *others))
+    return replace(memory, phase=p, value=(x, v, cos, constant, *factors))
 
 
 def is_odd(cell: Cell) -> bool:
@@ -290,13 +290,13 @@ def _columns(setters: Sequence[int], order: Order, p: int) -> list[tuple[int, in
     """
     settings, columns = _settings(setters, order), []
     for i, phase in enumerate(setters):
-        own = [(where, column) for column, (q, where) in enumerate(settings) if q == i]
-        if not own:
+        of_memory = [(where, column) for column, (q, where) in enumerate(settings) if q == i]
+        if not of_memory:
             expected = f"expected phase {phase + 1} of the scene among them"
             raise UnknownScene(f"phases: {expected}: it sets a memory")
-        before = [column for where, column in own if where <= p]
+        before = [column for where, column in of_memory if where <= p]
         sign = 1 if before or not order.half_period else -1
-        columns.append((before[-1] if before else own[-1][1], sign))
+        columns.append((before[-1] if before else of_memory[-1][1], sign))
     return columns
 
 

@@ -35,8 +35,8 @@ class NotPrivate(PermissionError):  # noqa: N818  (named like the other errors o
 
 def write(files: Kept, folder: Path) -> None:
     """Write files and their seal into a folder, readable by its user alone."""
-    for place, content in {**files, SEAL: _seal(folder.name, files)}.items():
-        path = folder / place
+    for name, content in {**files, SEAL: _seal(folder.name, files)}.items():
+        path = folder / name
         path.parent.mkdir(mode=0o700, exist_ok=True)
         path.touch(mode=0o600)
         path.write_bytes(content)
@@ -55,16 +55,16 @@ def read(folder: Path) -> dict[str, bytes]:
         If it does not exist, or cannot be read.
     """
     check_private(folder)
-    found: dict[str, bytes] = {}
-    for place, folders, names in os.walk(folder):
+    content: dict[str, bytes] = {}
+    for directory, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if name != "__pycache__"]  # numba's own
-        check_private(Path(place))
-        for path in (Path(place, name) for name in names):
+        check_private(Path(directory))
+        for path in (Path(directory, name) for name in names):
             if path.suffix in ENDINGS or path.name == SEAL:
-                found[path.relative_to(folder).as_posix()] = _content(path)
-    if found.pop(SEAL, None) != _seal(folder.name, found):
+                content[path.relative_to(folder).as_posix()] = _content(path)
+    if content.pop(SEAL, None) != _seal(folder.name, content):
         raise Damaged(f"{folder} is not as it was written")
-    return found
+    return content
 
 
 def read_any(folder: Path) -> Kept | None:
@@ -96,8 +96,8 @@ def _content(path: Path) -> bytes:
 def _seal(name: str, files: Kept) -> bytes:
     """Return the hash of a folder's name and of all its files."""
     digest = hashlib.sha256(name.encode())
-    for place, content in sorted(files.items()):
-        digest.update(f"\0{place}\0{len(content)}\0".encode() + content)
+    for path, content in sorted(files.items()):
+        digest.update(f"\0{path}\0{len(content)}\0".encode() + content)
     return digest.hexdigest().encode()
 
 

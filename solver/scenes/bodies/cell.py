@@ -131,9 +131,9 @@ def body_cell(
         for number, powers in zip(numbers, scene.powers, strict=True)
     )
     frequency = fields_of_cell(scene, numbers)["frequency"] or 0.0
-    found = _under_laws(scene, numbers, _body(scene, values, units, frequency), cycles)
-    _check_jumps(found)
-    return found
+    cell = _under_laws(scene, numbers, _body(scene, values, units, frequency), cycles)
+    _check_jumps(cell)
+    return cell
 
 
 def _check_jumps(cell: BodyCell) -> None:
@@ -144,8 +144,8 @@ def _check_jumps(cell: BodyCell) -> None:
     for p, phase in enumerate(cell.phases):
         if cell.phases[(p + 1) % len(cell.phases)].held:
             continue
-        left = 1 + np.diag(cell.body.kept_mobility @ impulses(cell, p)[0])
-        for (rho, _), goes_on in zip(phase.jumps, left, strict=True):
+        factors = 1 + np.diag(cell.body.kept_mobility @ impulses(cell, p)[0])
+        for (rho, _), goes_on in zip(phase.jumps, factors, strict=True):
             if rho <= 0 and goes_on > GOES_ON:
                 least = (1 - rho) / (1 - goes_on) - 1
                 raise ParameterError([
@@ -205,15 +205,15 @@ def _body(
         matrices, count = _matrices(scene, entries, binary), None
         if modes is not None:
             count = int(modes)
-        found = damped(_modes(scene, entries, binary, count), ratio)
+        body = damped(_modes(scene, entries, binary, count), ratio)
         omega = frequency * binary.time / units.time
-        found = at_frequency(found, matrices, omega, count)
+        body = at_frequency(body, matrices, omega, count)
         ratios = (
             a / b for a, b in zip(*(vars(q).values() for q in (units, binary)), strict=True)
         )
-        found = found.in_units(*ratios)
-        poles_of(found, frequency)
-        return found
+        body = body.in_units(*ratios)
+        poles_of(body, frequency)
+        return body
     except BodyError as error:
         raise ParameterError([f"body: {error}"]) from None
 
@@ -236,8 +236,8 @@ def _in_numbers(scene: "LoadedScene", values: tuple[float, ...]) -> tuple[Any, A
 
 def _check_matrix(name: str, matrix: Matrix) -> None:
     """Check a matrix with parameters in it, of which the scene has checked the defaults."""
-    off = float(np.abs(matrix - matrix.T).max())
-    if off > ROUNDING * np.abs(matrix).max():
+    asymmetry = float(np.abs(matrix - matrix.T).max())
+    if asymmetry > ROUNDING * np.abs(matrix).max():
         raise BodyError(f"{name}: it is not symmetric with these parameters")
     try:
         if name == "M":
@@ -262,8 +262,8 @@ def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | No
 
 def matrices_of(scene: "LoadedScene") -> Mapping[str, Any]:
     """Return the arrays of a body's file: shape of each matrix and, if numeric, its entries."""
-    kept = None if scene.kept is None else scene.kept[MATRICES]
-    with np.load(scene.folder / MATRICES if kept is None else io.BytesIO(kept)) as file:
+    content = None if scene.kept is None else scene.kept[MATRICES]
+    with np.load(scene.folder / MATRICES if content is None else io.BytesIO(content)) as file:
         return dict(file)
 
 
@@ -272,9 +272,9 @@ def _matrices(scene: "LoadedScene", entries: Entries, units: Units) -> dict[str,
     """Return the matrices of a body as sparse arrays, in given units."""
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
-    given: dict[str, list[tuple[int, int, float]]] = {}
+    by_matrix: dict[str, list[tuple[int, int, float]]] = {}
     for name, i, j, value in entries:
-        given.setdefault(name, []).append((i, j, value))
+        by_matrix.setdefault(name, []).append((i, j, value))
     sizes = {
         "M": units.mass,
         "C": units.mass / units.time,
@@ -282,18 +282,18 @@ def _matrices(scene: "LoadedScene", entries: Entries, units: Units) -> dict[str,
         "forcing": units.mass * units.length / units.time**2,
         "at": 1.0,
     }
-    found = {}
+    matrices = {}
     file = matrices_of(scene)
     for name in (q.removesuffix("_shape") for q in file if q.endswith("_shape")):
-        if name in given:
-            rows, columns, numbers = map(np.array, zip(*given[name], strict=True))
+        if name in by_matrix:
+            rows, columns, numbers = map(np.array, zip(*by_matrix[name], strict=True))
         else:
             rows, columns, numbers = (
                 file[q] for q in (f"{name}_rows", f"{name}_columns", name)
             )
         scaled = np.asarray(numbers, dtype=float) / sizes[name]
         shape = tuple(map(int, file[f"{name}_shape"]))
-        found[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
-        if name in given and name in ("M", "K"):
-            _check_matrix(name, found[name].toarray())
-    return found
+        matrices[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
+        if name in by_matrix and name in ("M", "K"):
+            _check_matrix(name, matrices[name].toarray())
+    return matrices

@@ -39,8 +39,8 @@ MUTANTS = (
     Mutant(
         "a folder of kernels is read whatever its seal",
         "solver/scenes/sealed.py",
-        "if found.pop(SEAL, None) != _seal(folder.name, found):",
-        "if found.pop(SEAL, None) is None:",
+        "if content.pop(SEAL, None) != _seal(folder.name, content):",
+        "if content.pop(SEAL, None) is None:",
         (f"{KEPT}::test_one_digit_that_was_changed",),
     ),
     Mutant(
