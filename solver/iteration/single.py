@@ -105,8 +105,8 @@ def iterate_single(
             y += following
             value = residual(work, y)
             # errors fall by a factor that is squared each time
-            left = ahead * (ahead / length) ** 2
-            if min(ahead, left / LEFT) <= ROUNDOFF:
-                return CONVERGED, iteration, min(ahead, left), abs(value), y
+            remaining = ahead * (ahead / length) ** 2
+            if min(ahead, remaining / LEFT) <= ROUNDOFF:
+                return CONVERGED, iteration, min(ahead, remaining), abs(value), y
             previous = length = correction = ahead
     return TOO_MANY, limit, correction, abs(value), y
