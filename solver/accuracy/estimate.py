@@ -52,24 +52,24 @@ def estimate(orbit: Solution) -> Errors:
     if orbit.method != FIRST:
         order = min(order, MOST)
     better = _neighbour(orbit, order, orbit.admissible)
-    beyond = better and _neighbour(better[0], order + MORE, True)
-    if better is None or beyond is None:
+    further = better and _neighbour(better[0], order + MORE, True)
+    if better is None or further is None:
         return _against_the_exact_orbit(orbit)
-    pairs = zip(*(vars(q).values() for q in (better[1], beyond[1])), strict=True)
+    pairs = zip(*(vars(q).values() for q in (better[1], further[1])), strict=True)
     return _with_rounding(orbit, better[0], Errors(*(abs(a) + abs(b) for a, b in pairs)))
 
 
 def _with_rounding(orbit: Solution, near: Motion, found: Errors) -> Errors:
     """Return errors plus rounding errors, whose condition is computed at an accurate orbit."""
-    left, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(near)
+    error, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(near)
     free = 0.0 if orbit.case.cell.forced else shared  # a forcing makes the period known
     angle = 2 * math.pi * shared  # times are relative to the period, this is in radians
     place, derivative = (EPSILON * part for part in cancelled(near))
     return Errors(
-        period=found.period + left + max(ROUNDING, free),
-        times=found.times + left + max(ROUNDING, shared),
-        discontinuous=found.discontinuous + left + max(DERIVATIVE_ROUNDING, angle, derivative),
-        switches=found.switches + left + max(ROUNDING, shared, place),
+        period=found.period + error + max(ROUNDING, free),
+        times=found.times + error + max(ROUNDING, shared),
+        discontinuous=found.discontinuous + error + max(DERIVATIVE_ROUNDING, angle, derivative),
+        switches=found.switches + error + max(ROUNDING, shared, place),
     )
 
 
@@ -103,10 +103,10 @@ def cancelled(motion: Motion) -> tuple[float, float]:
 
 def _against_the_exact_orbit(orbit: Solution) -> Errors:
     """Return the errors against the exact orbit, without sign; infinite without one."""
-    found = orbit.errors
-    if found is None:
+    errors = orbit.errors
+    if errors is None:
         return NOTHING
-    return replace(found, period=abs(found.period))
+    return replace(errors, period=abs(errors.period))
 
 
 def _neighbour(orbit: Solution, order: int, is_orbit: bool) -> tuple[Solution, Errors] | None:
@@ -120,12 +120,12 @@ def _neighbour(orbit: Solution, order: int, is_orbit: bool) -> tuple[Solution, E
         if method is None:
             continue
         kernel = registry.quicker_kernel(orbit.case.scene, method, None, order)
-        found = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
-        if not found.converged:
+        neighbour = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
+        if not neighbour.converged:
             continue
-        change = difference(orbit, found, max(order, orbit.order))
-        if (is_orbit and _same(change)) or found.admissible:
-            return found, change
+        change = difference(orbit, neighbour, max(order, orbit.order))
+        if (is_orbit and _same(change)) or neighbour.admissible:
+            return neighbour, change
     return None
 
 

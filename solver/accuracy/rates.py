@@ -40,10 +40,10 @@ class Rate:
 
     def text(self, name: str) -> str:
         """Return one of the rates as text."""
-        found: float | None = getattr(self, name)
-        if found is None:
+        exponent: float | None = getattr(self, name)
+        if exponent is None:
             return TOO_FEW
-        return f"N^{-found:.3f}" if self.kind == "power" else f"10^({-found:.2f} N)"
+        return f"N^{-exponent:.3f}" if self.kind == "power" else f"10^({-exponent:.2f} N)"
 
 
 def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
@@ -57,7 +57,7 @@ def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
     """
     power = about(method).power
     slopes = {
-        name: slope([(order, found[name]) for order, found in errors], floor, power=power)
+        name: slope([(order, errors_[name]) for order, errors_ in errors], floor, power=power)
         for name, floor in FLOORS.items()
     }
     return Rate("power" if power else "geometric", **slopes)
@@ -93,15 +93,15 @@ def slope(
     >>> slope([(N, N**-2.0) for N in range(2, 8)], 0.0, power=True)  # doctest: +ELLIPSIS
     2.0...
     """
-    known = {order: abs(error) for order, error in errors}
-    above = sorted(order for order, error in known.items() if floor < error < math.inf)
+    by_order = {order: abs(error) for order, error in errors}
+    above = sorted(order for order, error in by_order.items() if floor < error < math.inf)
     if not power:
-        above = _falling(above, known)
+        above = _falling(above, by_order)
     if len(above) < fewest:
         return None
     scale: Callable[[float], float] = math.log10 if power else float
     x = np.array([scale(order) for order in above])
-    y = np.log10([known[order] for order in above])
+    y = np.log10([by_order[order] for order in above])
     if upper_half:
         first = min(int(np.searchsorted(x, (x[0] + x[-1]) / 2)), len(x) - fewest)
         x, y = x[first:], y[first:]
