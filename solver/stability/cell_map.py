@@ -53,15 +53,15 @@ def cell_map(
         The rate ``n F- + h_t`` at the event that ends each phase, relative to its terms.
     """
     kinds, numbers, setting, memory, cell = case[:5]
-    at, count, more = places(case), len(kinds), len(setting)
+    at, count, memories = places(case), len(kinds), len(setting)
     theta = angles(case, z, at)
     _, by = ends(case, z, theta)
-    matrix, size, crossed = np.eye(2 + more), np.eye(2 + more), np.empty(count)
+    matrix, size, crossed = np.eye(2 + memories), np.eye(2 + memories), np.empty(count)
     for p in range(count):
         q = p + 1 if p + 1 < count else 0
-        transition, saltation = np.eye(2 + more), np.eye(2 + more)
-        gradient, jump = np.zeros(2 + more), np.zeros(2 + more)
-        before, after = np.zeros(2 + more), np.zeros(2 + more)
+        transition, saltation = np.eye(2 + memories), np.eye(2 + memories)
+        gradient, jump = np.zeros(2 + memories), np.zeros(2 + memories)
+        before, after = np.zeros(2 + memories), np.zeros(2 + memories)
         for j in range(2):
             transition[j, 0] += by[p, j, 3]
             transition[j, 1] += by[p, j, 4]
@@ -74,11 +74,11 @@ def cell_map(
         after[0] = sign * (v if kinds[q, FREE] != 0 else numbers[q, F])
         after[1] = sign * (f + g * cos(theta[q]) - c * v - k * x) / m
         pull = (abs(f) + abs(g) + abs(c * v) + abs(k * x)) / m
-        for i in range(more):
+        for i in range(memories):
             memory_sign = cell[0] if p < setting[i] else 1.0
             for j in range(2):
                 transition[j, 2 + i] = memory_sign * by[p, j, 2] * numbers[p, MEMORY + i]
-            gradient[2 + i] = memory_sign * numbers[p, MEMORY + more + i]
+            gradient[2 + i] = memory_sign * numbers[p, MEMORY + memories + i]
             if setting[i] == q:
                 saltation[2 + i, 0], saltation[2 + i, 2 + i] = memory[i, 0], 0.0
                 saltation[2 + i, 1] = memory[i, 1] * numbers[p, RHO]
@@ -87,7 +87,7 @@ def cell_map(
         m, c, k, f, g = phase_numbers(case, z, p)
         force = (abs(f) + abs(g) + abs(c) * speed + abs(k) * abs(z[2 * p])) / m
         scale = abs(gradient[0]) * speed + abs(gradient[1]) * force
-        terms = np.zeros(2 + more)  # sizes of the sums in F+ - R F-, which may cancel
+        terms = np.zeros(2 + memories)  # sizes of the sums in F+ - R F-, which may cancel
         terms[1] = OF_SUMS * (abs(numbers[p, RHO]) * force + pull)
         scale += abs(numbers[p, E_COS]) * cell[1]
         crossed[p] = abs(approach) / scale if scale > 0 else 0.0

@@ -39,8 +39,8 @@ def in_words(motion: "Motion") -> str:
         return f"no multipliers: {error}"
     name = "multiplier" if len(values) == 1 else "multipliers"
     count = count_shown(values)
-    large, others = values[:count], len(values) - count
-    less = f" and {others} smaller ones" if others > 0 else ""
+    large, smaller = values[:count], len(values) - count
+    less = f" and {smaller} smaller ones" if smaller > 0 else ""
     verdict = VERDICTS[stable]
     if stable is None and (abs(values - 1) <= motion.stability.rounding).any():
         verdict += f"; {NOT_ISOLATED}"

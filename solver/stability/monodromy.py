@@ -64,8 +64,8 @@ def monodromy(motion: "Motion") -> Monodromy:
         else:
             phases = range(len(cell.phases))
             speed = max(float(np.abs(motion.part(p, LOOK, 1)).max()) for p in phases)
-            given = arrays(cell), unknowns_of(motion), _reached(motion), speed
-            matrix, size, crossed = cell_map(*given)
+            arguments = arrays(cell), unknowns_of(motion), _reached(motion), speed
+            matrix, size, crossed = cell_map(*arguments)
     for phase, rate in zip(cell.phases, crossed, strict=True):
         if not rate > TOUCH:
             raise NoMultipliersError(
@@ -130,7 +130,7 @@ def forgotten(cell: Cell) -> int:
     A held phase forgets the velocity and, if at rest at a known place, the displacement; a
     switch forgets the values before of the memories that it sets.  The largest number counts.
     """
-    places = range(len(cell.phases))
-    held = (cell.phases[p].held + (cell.place(p) is not None) for p in places)
-    sets = (sum(memory.phase == p for memory in cell.memory) for p in places)
+    phases = range(len(cell.phases))
+    held = (cell.phases[p].held + (cell.place(p) is not None) for p in phases)
+    sets = (sum(memory.phase == p for memory in cell.memory) for p in phases)
     return max(*held, *sets)

@@ -78,20 +78,20 @@ def of_monodromy(cell: Cell, of_cell: Monodromy) -> Stability:
     """Return the multipliers of an orbit from the monodromy matrix of its cell."""
     eigenvalues = _eigenvalues(of_cell)
     twice = cell.cells == 2  # the second half is the mirror image of the first
-    values, left = eigenvalues**2 if twice else eigenvalues, list(range(len(eigenvalues)))
+    values, remaining = eigenvalues**2 if twice else eigenvalues, list(range(len(eigenvalues)))
     trivial = None
     if not cell.forced:
-        which = int(np.argmin(np.abs(values - 1)))
-        trivial = float(values[which].real)
-        left.remove(which)
-    left.sort(key=lambda j: (-abs(values[j]), -values[j].imag))
-    rounding = _rounding(of_cell, eigenvalues, left[0]) if left else 0.0
-    near = abs(cell.sign * eigenvalues[left[0]] - 1) if left else 1.0
+        index = int(np.argmin(np.abs(values - 1)))
+        trivial = float(values[index].real)
+        remaining.remove(index)
+    remaining.sort(key=lambda j: (-abs(values[j]), -values[j].imag))
+    rounding = _rounding(of_cell, eigenvalues, remaining[0]) if remaining else 0.0
+    near = abs(cell.sign * eigenvalues[remaining[0]] - 1) if remaining else 1.0
     if near**2 <= OF_EQUATIONS * rounding:  # near a fold, the orbit's error is a square root
         rounding = max(rounding, float(near))
-    if twice and left:
-        rounding = 2 * float(np.abs(eigenvalues[left[0]])) * rounding + rounding**2
-    return Stability(values[left], trivial, rounding)
+    if twice and remaining:
+        rounding = 2 * float(np.abs(eigenvalues[remaining[0]])) * rounding + rounding**2
+    return Stability(values[remaining], trivial, rounding)
 
 
 def _eigenvalues(of_cell: Monodromy) -> Complex:

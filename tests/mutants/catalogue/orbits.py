@@ -201,8 +201,8 @@ MUTANTS = (
     Mutant(
         "the multipliers of half a period for those of a whole",
         "solver/stability/stability.py",
-        "values, left = eigenvalues**2 if twice else eigenvalues, ",
-        "values, left = eigenvalues, ",
+        "values, remaining = eigenvalues**2 if twice else eigenvalues, ",
+        "values, remaining = eigenvalues, ",
         MULTIPLIERS,
     ),
     Mutant(
