@@ -67,14 +67,14 @@ def solutions(case: Case) -> Iterator[ExactOrbit]:
 
     After a group of starts that has led to a stable orbit, the less likely ones are skipped.
     """
-    found: list[ExactOrbit] = []
+    roots: list[ExactOrbit] = []
     for group in _starts(case.cell):  # type: ignore[arg-type]
-        if any(solution.admissible and is_stable(solution) for solution in found):
+        if any(solution.admissible and is_stable(solution) for solution in roots):
             return
         for start in group:
             solution = from_times(case, start)
-            if solution.outcome.converged and not any(_same(solution, q) for q in found):
-                found.append(solution)
+            if solution.outcome.converged and not any(_same(solution, q) for q in roots):
+                roots.append(solution)
                 yield solution
 
 
@@ -103,17 +103,17 @@ def _of_one_phase(cell: BodyCell) -> tuple[list[float], bool]:
     These conditions are linear in state, cos and sin.  The second value is whether there are
     no other solutions.
     """
-    (part,), here = parts_of(cell), later(cell.omega * cell.duration)
-    ways = phase_map(part, cell.duration * np.linspace(0, 1, FEW + 1)[1:])
-    along, by_wave = (q[-1] for q in ways)
-    size, sign = len(along), cell.sign
-    across, inputs = sign * part.switch.state, sign * part.switch.inputs @ here
-    closing = np.hstack([across @ along - np.eye(size), across @ by_wave + inputs])
+    (part,), rotation = parts_of(cell), later(cell.omega * cell.duration)
+    maps = phase_map(part, cell.duration * np.linspace(0, 1, FEW + 1)[1:])
+    flow, by_wave = (q[-1] for q in maps)
+    size, sign = len(flow), cell.sign
+    jump, inputs = sign * part.switch.state, sign * part.switch.inputs @ rotation
+    closing = np.hstack([jump @ flow - np.eye(size), jump @ by_wave + inputs])
     gradient, waves = part.switch.gradient, part.switch.waves
-    event = np.hstack([gradient @ along, gradient @ by_wave + waves @ here])
+    event = np.hstack([gradient @ flow, gradient @ by_wave + waves @ rotation])
     if not (np.isfinite(closing).all() and np.isfinite(event).all()):
         return [], False
-    added = np.abs(ways[1]).max() or 1.0  # the unit of states below
+    added = np.abs(maps[1]).max() or 1.0  # the unit of states below
     closing[:, size:] /= added
     event[:size] *= added
     rows = np.vstack([closing, event / (np.abs(event).max() or 1.0)])
@@ -122,13 +122,13 @@ def _of_one_phase(cell: BodyCell) -> tuple[list[float], bool]:
     point = np.linalg.lstsq(A, b, rcond=rounding)[0]
     if np.abs(A @ point - b).max() > rounding * max(1.0, np.abs(point).max()):
         return [], True
-    _, singular, turns = np.linalg.svd(A)
-    left = turns[int((singular > rounding).sum()) :]
-    _, sizes, lines = np.linalg.svd(left[:, -2:])
-    if len(left) > 1 and sizes[1] > rounding:
+    _, singular, Vh = np.linalg.svd(A)
+    null_space = Vh[int((singular > rounding).sum()) :]
+    _, sizes, lines = np.linalg.svd(null_space[:, -2:])
+    if len(null_space) > 1 and sizes[1] > rounding:
         return [], False
     line = on_the_circle(point[-2:], sizes[0] * lines[0])
-    return [q[-1] % (2 * np.pi) for q in line.found], len(left) == 1
+    return [q[-1] % (2 * np.pi) for q in line.found], len(null_space) == 1
 
 
 def slow(cell: BodyCell) -> BodyCell:
@@ -138,18 +138,18 @@ def slow(cell: BodyCell) -> BodyCell:
     count = max(SLOW, int((speed <= BELOW * cell.omega).sum()))
     if count >= len(speed) or not (body.squares[count:] > 0).all():
         return cell
-    kept, gone = slice(count), slice(count, None)
-    at, square = body.at[gone], body.squares[gone, None]
-    own = Modal(
-        body.squares[kept],
-        body.damping[kept, kept],
-        body.at[kept],
-        body.forcing[kept],
+    retained, truncated = slice(count), slice(count, None)
+    at, square = body.at[truncated], body.squares[truncated, None]
+    reduced = Modal(
+        body.squares[retained],
+        body.damping[retained, retained],
+        body.at[retained],
+        body.forcing[retained],
         body.mobility,
         body.residual + at.T @ (at / square),
-        body.beyond + (at / square).T @ body.forcing[gone],
+        body.beyond + (at / square).T @ body.forcing[truncated],
     )
-    return replace(cell, body=own)
+    return replace(cell, body=reduced)
 
 
 def _starts(cell: BodyCell) -> Iterator[Iterable[RoughTimes]]:
@@ -158,10 +158,10 @@ def _starts(cell: BodyCell) -> Iterator[Iterable[RoughTimes]]:
         yield _everywhere(cell)
     elif len(cell.phases) > 2:
         by_response = homotopy.from_linear_response(slow(cell))
-        others: list[RoughTimes] = []
+        unlikely: list[RoughTimes] = []
         yield [by_response] if by_response else []
-        yield _likely(cell, others)
-        yield others
+        yield _likely(cell, unlikely)
+        yield unlikely
     elif len(cell.phases) == 1:
         angles = _of_one_phase(cell)[0]
         yield (RoughTimes((cell.duration,), angle, "the closed form") for angle in angles)
@@ -176,9 +176,9 @@ def _likely(cell: BodyCell, others: list[RoughTimes]) -> Iterator[RoughTimes]:
         around = list(starts)
         events = events_by_wave(quick, np.array(durations))
         events /= np.maximum(np.abs(events).max(axis=1, keepdims=True), TINY)
-        off = [float(np.sum((events @ wave(start.angle)) ** 2)) for start in around]
+        residuals = [float(np.sum((events @ wave(start.angle)) ** 2)) for start in around]
         for i, start in enumerate(around):
-            if off[i - 1] > off[i] <= off[(i + 1) % len(off)]:
+            if residuals[i - 1] > residuals[i] <= residuals[(i + 1) % len(residuals)]:
                 yield start
             else:
                 others.append(start)
@@ -188,8 +188,8 @@ def _everywhere(cell: BodyCell) -> Iterator[RoughTimes]:
     """Yield rough durations without a forcing, long and short relative to the slowest mode."""
     slowest = 2 * np.pi / float(np.sqrt(np.abs(cell.body.squares).min() or 1.0))
     for durations in product(PARTS, repeat=min(len(cell.phases), 2)):
-        more = durations + (PARTS[-1],) * (len(cell.phases) - 2)
-        yield RoughTimes(tuple(slowest * q for q in more), 0.0, "durations all around")
+        fractions = durations + (PARTS[-1],) * (len(cell.phases) - 2)
+        yield RoughTimes(tuple(slowest * q for q in fractions), 0.0, "durations all around")
 
 
 def _angles(a: float, b: float, c: float) -> list[float]:
@@ -209,8 +209,8 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
     parts = np.concatenate([close, even, 1 - close[::-1]])
 
     def side(parts: Vector) -> Vector:
-        found = _both(quick, parts)
-        (a, b, c), (d, e, f) = (found[:, p].T for p in (0, 1))
+        events = _both(quick, parts)
+        (a, b, c), (d, e, f) = (events[:, p].T for p in (0, 1))
         determinant = a * e - b * d
         cos, sin = b * f - c * e, c * d - a * f  # times the determinant
         if not (c.any() or f.any()):  # no gap, no load at rest: the angle is that of both
@@ -240,8 +240,8 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
 def _symmetric(cell: BodyCell) -> Iterator[RoughTimes]:
     """Yield the times of two equal phases whose events are the same condition."""
     first, second = _both(cell, np.array([0.5]))[0]
-    apart = min(np.abs(first - second).max(), np.abs(first + second).max())
-    for angle in _angles(*first) if apart <= SAME else ():
+    distance = min(np.abs(first - second).max(), np.abs(first + second).max())
+    for angle in _angles(*first) if distance <= SAME else ():
         yield RoughTimes((cell.duration / 2,) * 2, angle, "two equal phases")
 
 
@@ -252,8 +252,8 @@ def _both(cell: BodyCell, parts: Vector) -> Matrix:
     """
     durations = cell.duration * np.column_stack([parts, 1 - parts])
     blocks = 1 + len(durations) * (2 * len(cell.body.squares)) ** 2 // ROOM
-    found = np.concatenate([events_by_wave(cell, q) for q in np.array_split(durations, blocks)])
-    return np.asarray(found / np.maximum(np.abs(found).max(axis=2, keepdims=True), TINY))
+    pairs = np.concatenate([events_by_wave(cell, q) for q in np.array_split(durations, blocks)])
+    return np.asarray(pairs / np.maximum(np.abs(pairs).max(axis=2, keepdims=True), TINY))
 
 
 def in_one_phase(cell: BodyCell, p: int) -> tuple[float, float, bool] | None:

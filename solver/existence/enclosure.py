@@ -95,7 +95,7 @@ def _pieces(function: Function, edges: Vector) -> Pieces:
     nodes, matrix = interpolation(DEGREE)
     low, high = edges[:-1], edges[1:]
     before = np.full(len(low), np.inf)
-    found: list[tuple[Vector, Vector, Matrix]] = []
+    done: list[tuple[Vector, Vector, Matrix]] = []
     resolved, count = True, 0
     for halvings in range(SHORTEST + 1):
         s = low[:, None] + (high - low)[:, None] * (1 + nodes) / 2
@@ -105,13 +105,13 @@ def _pieces(function: Function, edges: Vector) -> Pieces:
         count += len(low)
         if halvings == SHORTEST or count > MOST_PIECES:
             resolved, fine = bool(fine.all()), np.ones_like(fine)
-        found.append((low[fine], high[fine], C[:, fine]))
+        done.append((low[fine], high[fine], C[:, fine]))
         middle = (low + high)[~fine] / 2
         low, high = np.append(low[~fine], middle), np.append(middle, high[~fine])
         before = np.tile(last[~fine], 2)
         if not len(low):
             break
-    starts, ends, coefficients = zip(*found, strict=True)
+    starts, ends, coefficients = zip(*done, strict=True)
     return Pieces(
         np.concatenate(starts), np.concatenate(ends),
         np.concatenate(coefficients, axis=1), resolved,
@@ -157,10 +157,10 @@ def _isolated(parts: Pieces) -> tuple[Indices, Vector, Vector, Matrix]:
         if not 0 < len(which) <= MOST_PARTS:
             break
     given_up.append((which, middle, half))
-    found, low, high = (np.concatenate(each) for each in zip(*single, strict=True))
+    index, low, high = (np.concatenate(each) for each in zip(*single, strict=True))
     which, middle, half = (np.concatenate(each) for each in zip(*given_up, strict=True))
     where = parts.taken(which)
-    return found, low, high, _joined(_place(where, middle - half), _place(where, middle + half))
+    return index, low, high, _joined(_place(where, middle - half), _place(where, middle + half))
 
 
 def _derivative(C: Matrix, times: int) -> Matrix:
@@ -178,8 +178,8 @@ def _joined(low: Vector, high: Vector) -> Matrix:
     """Return intervals in order; those that touch are merged."""
     order = np.argsort(low)
     low, high = low[order], np.maximum.accumulate(high[order])
-    apart = low[1:] > high[:-1] * (1 + BESIDE)
-    first, last = np.append(True, apart), np.append(apart, True)
+    separate = low[1:] > high[:-1] * (1 + BESIDE)
+    first, last = np.append(True, separate), np.append(separate, True)
     return np.column_stack([low[first[: len(low)]], high[last[: len(low)]]])
 
 

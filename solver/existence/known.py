@@ -78,13 +78,13 @@ def known(case: Case) -> Known:
     if isinstance(cell, BodyCell):
         if isinstance(case.scene, OrderedScene) and not bodies.listed(cell):
             return Known()
-        found = list(bodies.solutions(case))
-        return replace(_sorted(found, bodies.complete(cell, found)), listed=bodies.listed(cell))
+        roots = list(bodies.solutions(case))
+        return replace(_sorted(roots, bodies.complete(cell, roots)), listed=bodies.listed(cell))
     if one_phase.applies(cell):
         closed = one_phase.solutions(cell)
-        found = [_of_state(case, q) for q in closed.found]
-        complete = closed.none or bool(found)
-        return replace(_sorted(found, complete), infinite=closed.infinite, listed=True)
+        roots = [_of_state(case, q) for q in closed.found]
+        complete = closed.none or bool(roots)
+        return replace(_sorted(roots, complete), infinite=closed.infinite, listed=True)
     if not two_phases.applies(cell):
         return Known()
     scan = two_phases.solutions(cell)

@@ -51,7 +51,7 @@ def solutions(cell: Cell) -> Solutions:
     ['0.929644', '3.734531']
     """
     with np.errstate(all="ignore"):
-        A, b = (part[0] for part in rows(cell, np.array([[cell.duration]])))
+        A, b = (stack[0] for stack in rows(cell, np.array([[cell.duration]])))
     length, rate = _units(cell)
     A = A * [length, length * rate, 1.0, 1.0]
     sizes = np.abs(A).max(axis=1)
@@ -59,15 +59,15 @@ def solutions(cell: Cell) -> Solutions:
     A, b = A / sizes[:, None], b / sizes
     direction = np.linalg.svd(A)[2][-1]
     particular, _, rank, singular = np.linalg.lstsq(A, b, rcond=ROUNDING)
-    left, size = (float(np.abs(each).max()) for each in (A @ particular - b, b))
+    left, size = (float(np.abs(vector).max()) for vector in (A @ particular - b, b))
     if left > ROUNDING * size:  # a solution has the size of this over neglected singular values
         none = rank < len(b) and left > FAR * singular[rank] * max(1.0, size)
         return Solutions((), none)
     if rank < len(b):
         return Solutions((), none=False, infinite=True)
-    found = on_the_circle(particular, direction)
-    states = tuple((length * x, length * rate * v, angle) for x, v, angle in found.found)
-    return replace(found, found=states)
+    points = on_the_circle(particular, direction)
+    states = tuple((length * x, length * rate * v, angle) for x, v, angle in points.found)
+    return replace(points, found=states)
 
 
 def _units(cell: Cell) -> tuple[float, float]:
@@ -83,10 +83,10 @@ def _units(cell: Cell) -> tuple[float, float]:
 def on_the_circle(point: Vector, direction: Vector) -> Solutions:
     """Return the points ``C^2 + S^2 = 1`` on a line of solutions of the rows."""
     size = max(1.0, math.hypot(*point[-2:]))  # its square may be beyond float64
-    p, n, one = point[-2:] / size, direction[-2:], (1.0 / size) ** 2
-    a, half, c = float(n @ n), float(p @ n), float(p @ p) - one
+    p, n, unit = point[-2:] / size, direction[-2:], (1.0 / size) ** 2
+    a, half, c = float(n @ n), float(p @ n), float(p @ p) - unit
     if a <= ROUNDING**2:
-        none = abs(c) > ROUNDING * (one + float(p @ p))
+        none = abs(c) > ROUNDING * (unit + float(p @ p))
         return Solutions((), none, infinite=not none)
     square = half * half - a * c
     if square < -ROUNDING * (half * half + abs(a * c)):
@@ -95,5 +95,5 @@ def on_the_circle(point: Vector, direction: Vector) -> Solutions:
     large = -(half + math.copysign(root, half))
     at = (large / a, c / large if large else 0.0)
     ends = [point + size * q * direction for q in sorted(at)]
-    found = tuple((float(u[0]), float(u[1]), math.atan2(u[-1], u[-2])) for u in ends)
-    return Solutions(found, none=False)
+    points = tuple((float(u[0]), float(u[1]), math.atan2(u[-1], u[-2])) for u in ends)
+    return Solutions(points, none=False)

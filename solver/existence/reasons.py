@@ -32,26 +32,26 @@ def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
     tried : iterable of str
         The outcomes of starts; those of simulations are repeated.
     """
-    found = known(case)
-    if not found.none:
+    solutions = known(case)
+    if not solutions.none:
         return None
     settled = (why for why in dict.fromkeys(tried) if why.startswith("a simulation"))
     instead = (*map(str, motions_without_switches(case)), *settled)
     no_orbit = f"{case.scene.label}: no such orbit exists"
-    if not found.refused:
+    if not solutions.refused:
         return NoOrbit(f"{no_orbit}: {_no_solution(case)}", True, instead)
-    count = len(found.refused)
+    count = len(solutions.refused)
     which = "this one solution" if count == 1 else f"these {count} solutions"
     return NoOrbit(
-        f"{no_orbit}: its equations have {which} only", True, (*_refusals(found), *instead)
+        f"{no_orbit}: its equations have {which} only", True, (*_refusals(solutions), *instead)
     )
 
 
 def _no_solution(case: Case) -> str:
     """Return in words that the equations have no solution, and why if that is known."""
-    first, *others = case.cell.phases
+    first, *further = case.cell.phases
     words = "its equations have no real solution"
-    if others:
+    if further:
         return f"{words} at any duration of {first.name}"
     return _resonance(case, first) or words
 
@@ -59,26 +59,26 @@ def _no_solution(case: Case) -> str:
 def _refusals(found: Known) -> tuple[str, ...]:
     """Return why each solution is not an orbit."""
     several = len(found.refused[0].cell_durations) > 1
-    whys = []
+    reasons = []
     for orbit in found.refused:
         name = orbit.case.cell.phases[0].name
         head = f"{name} {orbit.durations[0]:.4g} s, " if several else ""
-        whys.append(head + "; ".join(orbit.violations))
-    told = [f"solution {i}: {why}" for i, why in enumerate(dict.fromkeys(whys), 1)]
-    more = [f"and {len(told) - TOLD} more"] if len(told) > TOLD else []
-    return (*told[:TOLD], *more)
+        reasons.append(head + "; ".join(orbit.violations))
+    lines = [f"solution {i}: {why}" for i, why in enumerate(dict.fromkeys(reasons), 1)]
+    rest = [f"and {len(lines) - TOLD} more"] if len(lines) > TOLD else []
+    return (*lines[:TOLD], *rest)
 
 
 def not_decided(case: Case) -> Iterator[str]:
     """Yield reasons why a list of solutions is not complete."""
-    found = known(case)
+    solutions = known(case)
     if case.scene.has_body:
-        yield from _refusals(found) if found.refused else ("no solution was found",)
-    elif found.infinite:
+        yield from _refusals(solutions) if solutions.refused else ("no solution was found",)
+    elif solutions.infinite:
         why = _resonance(case, case.cell.phases[0])
         words = "the equations have infinitely many solutions, none isolated"
         yield f"{words}{why and f': {why}'}"
-    elif two_phases.applies(case.cell) and not (found.complete or found.orbits):
+    elif two_phases.applies(case.cell) and not (solutions.complete or solutions.orbits):
         names = [phase.name for phase in two_phases.vanishing(case.cell)]
         limit = (
             f"; as {' or '.join(names)} lasts no time they hold to rounding" if names else ""
@@ -123,18 +123,18 @@ class WithoutSwitches:
 
 def motions_without_switches(case: Case) -> list[WithoutSwitches]:
     """Return the motions of a case without switches, for phases of all its motions."""
-    found = {}
+    motions = {}
     for each in case.each_motion:
         cell = each.cell
         for phase in cell.phases if cell.forced and not cell.memory else ():
-            if phase.held or phase.name in found:
+            if phase.held or phase.name in motions:
                 continue
             within = _within(each, phase)
             if within is not None:
                 *ends, stable = within
                 least, largest = (end * each.units.length for end in ends)
-                found[phase.name] = WithoutSwitches(each, phase.name, least, largest, stable)
-    return list(found.values())
+                motions[phase.name] = WithoutSwitches(each, phase.name, least, largest, stable)
+    return list(motions.values())
 
 
 def without_switches(case: Case) -> Iterator[str]:
@@ -178,10 +178,10 @@ def _within(case: Case, phase: Phase) -> tuple[float, float, bool | None] | None
     """
     if isinstance(case.cell, BodyCell):
         return in_one_phase(case.cell, case.cell.phases.index(phase))
-    found = response(phase, case.cell.omega) if phase.g else None
-    if found is None or not phase.demands:
+    harmonic = response(phase, case.cell.omega) if phase.g else None
+    if harmonic is None or not phase.demands:
         return None
-    mean, wave = found
+    mean, wave = harmonic
     for _, form in phase.demands:
         if form[0] * mean + form[3] < swing(form, wave, case.cell.omega):
             return None

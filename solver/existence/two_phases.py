@@ -76,11 +76,11 @@ def solutions(cell: Cell) -> Solutions:
             complete = roots.complete and not _shorter(cell).any()
         except (np.linalg.LinAlgError, FloatingPointError):
             return Solutions((), (), complete=False)
-        found = _starts(cell, roots.places, roots.signs)
+        likely = _starts(cell, roots.places, roots.signs)
         few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
-        both = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
-        doubtful = _starts(cell, *both)
-        return Solutions(found, doubtful, complete)
+        pairs = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
+        doubtful = _starts(cell, *pairs)
+        return Solutions(likely, doubtful, complete)
 
 
 def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
@@ -134,8 +134,8 @@ def _shorter(cell: Cell) -> Vector:
     first = cell.duration * np.array([[0, SHORTEST], [1, 1 - SHORTEST]])
     with np.errstate(all="ignore"):
         D, P, Q = _determinants(cell, first)
-    off = np.abs(D) - np.hypot(P, Q)
-    return np.asarray((off[:, 0] * off[:, 1] < 0) & (np.abs(off[:, 0]) > NOTHING))
+    excess = np.abs(D) - np.hypot(P, Q)
+    return np.asarray((excess[:, 0] * excess[:, 1] < 0) & (np.abs(excess[:, 0]) > NOTHING))
 
 
 def _edges() -> Vector:
@@ -194,10 +194,10 @@ def rows(cell: Cell, durations: Matrix) -> tuple[Matrix, Matrix]:
     Unknowns: the states, the memory, C and S.  Rows: for each phase the two of its switch and
     its event, then the values of the memory.
     """
-    more, phases = len(cell.memory), len(cell.phases)
+    memories, phases = len(cell.memory), len(cell.phases)
     states, behind = 2 * phases, 3 * phases
-    count, own = states + more + 2, slice(states, states + more)
-    A = np.zeros((len(durations), behind + more, count))
+    count, by_memory = states + memories + 2, slice(states, states + memories)
+    A = np.zeros((len(durations), behind + memories, count))
     b = np.zeros(A.shape[:2])
     starts = np.cumsum(np.insert(durations, 0, 0.0, axis=1), axis=1)
     for p, phase in enumerate(cell.phases):
@@ -219,7 +219,7 @@ def rows(cell: Cell, durations: Matrix) -> tuple[Matrix, Matrix]:
         A[:, row] = ex * ends[:, 0] + ev * ends[:, 1]
         A[:, row, -2] += ec * np.cos(angle)
         A[:, row, -1] -= ec * np.sin(angle)
-        A[:, row, own] += np.array(factors)
+        A[:, row, by_memory] += np.array(factors)
         b[:, row] = -(ex * constant[:, 0] + ev * constant[:, 1] + e0)
     for i, memory in enumerate(cell.memory):
         vx, vv, vc, v0 = memory.value
@@ -235,8 +235,8 @@ def _end(phase: Phase, omega: float, begin: Vector, s: Vector) -> tuple[Matrix, 
     """Return the final state of a phase: by initial state, constant, by unit force, C and S."""
     zero = np.zeros_like(s)
     if phase.held:
-        one, speed = np.ones_like(s), np.full_like(s, phase.speed)
-        moved = np.moveaxis(np.array([[one, zero], [zero, zero]]), 2, 0)
+        ones, speed = np.ones_like(s), np.full_like(s, phase.speed)
+        moved = np.moveaxis(np.array([[ones, zero], [zero, zero]]), 2, 0)
         constant, none = np.array([phase.speed * s, speed]).T, np.array([zero, zero]).T
         return moved, constant, none, none, none
     small, large = flow.roots(phase)

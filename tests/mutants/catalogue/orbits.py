@@ -75,7 +75,7 @@ MUTANTS = (
     Mutant(
         "scan: the memory does not move the events",
         "solver/existence/two_phases.py",
-        "A[:, row, own] += np.array(factors)",
+        "A[:, row, by_memory] += np.array(factors)",
         "pass",
         SCAN,
     ),

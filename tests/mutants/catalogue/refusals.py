@@ -97,7 +97,7 @@ MUTANTS = (
     Mutant(
         "infinitely many solutions are taken for none",
         "solver/existence/known.py",
-        "complete = closed.none or bool(found)",
+        "complete = closed.none or bool(roots)",
         "complete = True",
         NONE,
     ),
