@@ -65,9 +65,9 @@ class Branch(Family):
         scene, values = self.case.scene, self["value"]
         kinds = [event.kind for event in self.events]
         named = [f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)]
-        along = f"{self.parameter} = {values.min():g} to {values.max():g}"
+        span = f"{self.parameter} = {values.min():g} to {values.max():g}"
         events = ", ".join(named) or "no event"
-        return f"<branch of {scene.label} along {along}: {len(self)} orbits, {events}>"
+        return f"<branch of {scene.label} along {span}: {len(self)} orbits, {events}>"
 
     def __str__(self) -> str:
         lines = [f"{'event':>14}  {self.parameter:>20}  motion"]

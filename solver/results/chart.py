@@ -70,7 +70,7 @@ class Chart(Tabular):
     def axes(self) -> dict[str, list[float]]:
         """The values of each parameter, in SI units."""
         pairs = zip(self.parameters, self.values, strict=True)
-        return {name: each.tolist() for name, each in pairs}
+        return {name: values.tolist() for name, values in pairs}
 
     @property
     def motion(self) -> list[list[str | None]]:
@@ -93,17 +93,17 @@ class Chart(Tabular):
         fixed = {"scene": self.case.scene.name, "cycles": self.case.cycles} | self._others
         columns, rows = self.axes.values()
         for b, motion, stable in zip(rows, self.motion, self.stable.tolist(), strict=True):
-            for a, name, each in zip(columns, motion, stable, strict=True):
-                here = dict(zip(self.parameters, (a, b), strict=True))
-                yield here | {"motion": name, "stable": STABLE[each]} | fixed
+            for a, name, stability in zip(columns, motion, stable, strict=True):
+                point = dict(zip(self.parameters, (a, b), strict=True))
+                yield point | {"motion": name, "stable": STABLE[stability]} | fixed
 
     def table(self) -> Table:
         """Return a row for each point: both parameters, the motion, whether it is stable."""
         a, b = np.meshgrid(*self.values)
-        places = dict(zip(self.parameters, (a.ravel(), b.ravel()), strict=True))
+        coordinates = dict(zip(self.parameters, (a.ravel(), b.ravel()), strict=True))
         names = np.array([*self.motions, ""])
         stable = np.where(self.stable < 0, np.nan, self.stable).ravel()
-        columns = places | {"motion": names[self.index.ravel()], "stable": stable}
+        columns = coordinates | {"motion": names[self.index.ravel()], "stable": stable}
         units = {q.name: q.unit for q in self.case.scene.parameters if q.unit}
         about = {"scene": self.case.scene.name, "cycles": self.case.cycles} | self._others
         return Table(self.parameters[::-1], columns, units, about)
@@ -145,9 +145,9 @@ class Chart(Tabular):
     def __str__(self) -> str:
         lines = [f"{'points':>8}  {'stable':>8}  motion"]
         for i, name in enumerate([*self.motions, "none found"]):
-            here = self.index == (i if i < len(self.motions) else -1)
-            count = int(here.sum())
-            stable = int((here & (self.stable == 1)).sum())
+            mask = self.index == (i if i < len(self.motions) else -1)
+            count = int(mask.sum())
+            stable = int((mask & (self.stable == 1)).sum())
             lines += [f"{count:8}  {stable:8}  {name}"] if count else []
         first, second = self.parameters
         for curve in self.curves:

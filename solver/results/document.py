@@ -46,8 +46,8 @@ def document(orbit: "Orbit") -> dict[str, Any]:
         "others": [_of_other(other) for other in orbit.others],
         "outcome": vars(orbit.outcome) | {"unknowns": orbit.unknowns.tolist()},
     }
-    found: dict[str, Any] = finite(content)
-    return found
+    plain: dict[str, Any] = finite(content)
+    return plain
 
 
 def document_without_orbit(
@@ -81,8 +81,8 @@ def document_without_orbit(
         "status": finding.status,
     }
     content = case.completed(content, exact)
-    found: dict[str, Any] = finite(content)
-    return found
+    plain: dict[str, Any] = finite(content)
+    return plain
 
 
 def _head(

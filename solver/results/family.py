@@ -103,12 +103,12 @@ class FamilyRow:
     def as_dict(self) -> dict[str, Any]:
         """Return the row as in JSON documents."""
         ends = self.extremes or dict.fromkeys(("displacement", "velocity"))
-        found = asdict(self) | {"estimate": errors_of(self.estimate), "extremes": ends}
+        record = asdict(self) | {"estimate": errors_of(self.estimate), "extremes": ends}
         if self.beside is None:
-            del found["beside"]
+            del record["beside"]
         if self.multipliers is not None:
-            found["multipliers"] = [{"re": q.real, "im": q.imag} for q in self.multipliers]
-        return found
+            record["multipliers"] = [{"re": q.real, "im": q.imag} for q in self.multipliers]
+        return record
 
 
 #: Fields of a row that are a number or None.
@@ -195,8 +195,8 @@ class Family(OfRows):
     def durations_of(self, row: FamilyRow) -> dict[str, float]:
         """Return the durations of a cell's phases in s, by name; empty without an orbit."""
         scene = self.case.scene
-        own = motion_of(scene, row.motion) if row.motion else scene
-        names = (name for name, _ in own.kinds)
+        motion = motion_of(scene, row.motion) if row.motion else scene
+        names = (name for name, _ in motion.kinds)
         return dict(zip(names, row.durations or (), strict=False))
 
     def plot(self, ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
@@ -230,9 +230,9 @@ class Family(OfRows):
     def table(self) -> Table:
         """Return the rows; the column of values has the name of the parameter."""
         rows = [row.as_dict() | {"multipliers": row.largest_multiplier} for row in self.rows]
-        for each, row in zip(rows, self.rows, strict=True):
-            each.pop("beside", None)
-            each.update({} if row.beside is None else row.beside.numbers)
+        for record, row in zip(rows, self.rows, strict=True):
+            record.pop("beside", None)
+            record.update({} if row.beside is None else row.beside.numbers)
         columns = flat(rows)
         columns["largest_multiplier"] = columns.pop("multipliers")
         columns = {self.parameter: columns.pop("value")} | columns
@@ -244,10 +244,10 @@ class Family(OfRows):
 
     def __repr__(self) -> str:
         scene, values = self.case.scene, self["value"]
-        found = sum(row.status == "ok" for row in self.rows)
-        along = f"{self.parameter} = {values[0]:g} to {values[-1]:g}"
+        orbits = sum(row.status == "ok" for row in self.rows)
+        span = f"{self.parameter} = {values[0]:g} to {values[-1]:g}"
         method = f"{shown(scene, self.method)}, N = {self.order}"
-        return f"<{scene.label} along {along} by {method}: {len(self)} values, {found} orbits>"
+        return f"<{scene.label} along {span} by {method}: {len(self)} values, {orbits} orbits>"
 
     def __str__(self) -> str:
         ends = f"{'least x':>10}  {'largest x':>10}"
@@ -265,6 +265,6 @@ class Family(OfRows):
     def as_dict(self) -> dict[str, Any]:
         """Return the family as the document that ``sweep --vary --json`` writes."""
         how = {"method": self.case.called(self.method), "order": self.order}
-        along = {"parameter": self.parameter, "count": len(self.rows)}
+        varied = {"parameter": self.parameter, "count": len(self.rows)}
         rows = [row.as_dict() for row in self.rows]
-        return self.head(**how) | {"vary": along, "rows": rows}
+        return self.head(**how) | {"vary": varied, "rows": rows}

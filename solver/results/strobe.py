@@ -68,8 +68,8 @@ class Diagram(Tabular):
         }
 
     def __repr__(self) -> str:
-        along = f"{self.parameter} = {self.values[0]:g} to {self.values[-1]:g}"
-        return f"<diagram of {self.case.scene.name} along {along}: {len(self)} values>"
+        span = f"{self.parameter} = {self.values[0]:g} to {self.values[-1]:g}"
+        return f"<diagram of {self.case.scene.name} along {span}: {len(self)} values>"
 
 
 @dataclass(frozen=True)

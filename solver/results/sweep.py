@@ -56,12 +56,12 @@ class SweepRow:
 
     def as_dict(self) -> dict[str, Any]:
         """Return the row as in JSON documents."""
-        found: dict[str, Any] = asdict(self) | {
+        record: dict[str, Any] = asdict(self) | {
             "errors": errors_of(self.errors),
             "estimate": errors_of(self.estimate),
         }
-        found |= found.pop("further")
-        return found
+        record |= record.pop("further")
+        return record
 
 
 #: Units of the numbers in a row.
@@ -90,26 +90,26 @@ class Sweep(OfRows, Sequence[SweepRow]):
 
     def of(self, method: str) -> tuple[SweepRow, ...]:
         """Return the rows of one method, by either of its names."""
-        wanted = registry.generic_method(self.case.scene, method)
-        return tuple(row for row in self.rows if row.method == wanted)
+        name = registry.generic_method(self.case.scene, method)
+        return tuple(row for row in self.rows if row.method == name)
 
     def rates(self) -> dict[str, Rate]:
         """Return the rate of convergence of each method, by its generic name."""
-        found = {}
+        rates = {}
         for method in dict.fromkeys(row.method for row in self.rows):
             rows = [(row.order, asdict(row.errors)) for row in self.of(method) if row.errors]
-            found[method] = rate(method, rows)
-        return found
+            rates[method] = rate(method, rows)
+        return rates
 
     def dictionaries(self) -> list[dict[str, Any]]:
         """Return the rows as in JSON documents, all with the same keys in the same order."""
-        found = []
+        records = []
         for row in self.rows:
             values = row.as_dict() | {"method": self.case.called(row.method)}
             values |= {name: values.pop(name, None) for name in self.case.own_numbers}
             values["errors"] = dict.fromkeys(self.case.own_errors) | values["errors"]
-            found.append(values)
-        return found
+            records.append(values)
+        return records
 
     def as_dict(self) -> dict[str, Any]:
         """Return the sweep as the document that ``sweep --json`` writes."""
@@ -149,9 +149,9 @@ class Sweep(OfRows, Sequence[SweepRow]):
 
     def __repr__(self) -> str:
         names = dict.fromkeys(shown(self.case.scene, row.method) for row in self.rows)
-        found = sum(row.status == "ok" for row in self.rows)
+        orbits = sum(row.status == "ok" for row in self.rows)
         head = f"sweep of {self.case.scene.label} by {', '.join(names)}"
-        return f"<{head}: {len(self)} rows, {found} orbits>"
+        return f"<{head}: {len(self)} rows, {orbits} orbits>"
 
     def __str__(self) -> str:
         lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'times':>9}  {'jump':>9}  estimate"]
