@@ -54,8 +54,8 @@ def choose_within(
         for order in orders(case, name, count):
             try:
                 orbit, seconds = timed(partial(solve_case, case, name, order, count))
-            except NoOrbit as found:
-                finding = found
+            except NoOrbit as error:
+                finding = error
                 trials.append(Trial(name, order, None))
                 continue
             trials.append(Trial(name, order, orbit.estimate, seconds))

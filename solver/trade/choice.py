@@ -50,19 +50,19 @@ class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
         self.tol, self.tried, self.needed = tol, tried, needed
 
     def __str__(self) -> str:
-        parts = [f"times to {self.tol:g}"]
+        words = [f"times to {self.tol:g}"]
         if MARGIN * self.tol <= ROUNDING:
-            parts.append(f"no estimate in float64 goes below {ROUNDING:g}")
+            words.append(f"no estimate in float64 goes below {ROUNDING:g}")
         sizes = [(size(trial.estimate), trial) for trial in self.tried if trial.estimate]
-        found = [(error, trial) for error, trial in sizes if math.isfinite(error)]
-        if found:
-            best, trial = min(found, key=lambda pair: pair[0])
-            parts.append(f"the best tried was {best:.1e} by {trial.method}, N = {trial.order}")
+        finite = [(error, trial) for error, trial in sizes if math.isfinite(error)]
+        if finite:
+            best, trial = min(finite, key=lambda pair: pair[0])
+            words.append(f"the best tried was {best:.1e} by {trial.method}, N = {trial.order}")
         if self.needed == math.inf:
-            parts.append("the errors do not fall any more")
+            words.append("the errors do not fall any more")
         elif self.needed > 0:
-            parts.append(f"it would need N of about {self.needed:.0e}")
-        return "; ".join(parts)
+            words.append(f"it would need N of about {self.needed:.0e}")
+        return "; ".join(words)
 
 
 class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)

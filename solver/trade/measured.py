@@ -107,11 +107,11 @@ def trade(case: Case, progress: Callable[[str], None] = lambda done: None) -> Tr
 
 def ways(case: Case) -> list[tuple[str, int]]:
     """Return the methods and orders that `trade` measures."""
-    found = []
+    pairs = []
     for method in in_order(registry.methods(case.scene)):
         count = number_of_functions(case, method, None)
-        found += [(method, order) for order in orders(case, method, count)]
-    return found
+        pairs += [(method, order) for order in orders(case, method, count)]
+    return pairs
 
 
 def orders(case: Case, method: str, functions: int | None) -> list[int]:
@@ -141,20 +141,20 @@ def front(points: Sequence[tuple[float, float]]) -> set[int]:
     >>> sorted(front([(3, 1e-9), (1, 1e-2), (2, 1e-2), (4, 1e-8)]))
     [0, 1]
     """
-    best, found = float("inf"), set()
+    best, indices = float("inf"), set()
     for index in sorted(range(len(points)), key=lambda i: points[i]):
         if points[index][1] < best:
             best = points[index][1]
-            found.add(index)
-    return found
+            indices.add(index)
+    return indices
 
 
 def timed(work: Callable[[], Found]) -> tuple[Found, float]:
     """Return the result of `work`, and its median time in repeated runs, with filled caches."""
-    found = work()
-    seen: list[float] = []
-    while len(seen) < MOST_ROUNDS and sum(seen) < MEASURED:
+    outcome = work()
+    durations: list[float] = []
+    while len(durations) < MOST_ROUNDS and sum(durations) < MEASURED:
         begin = time.perf_counter()
         work()
-        seen.append(time.perf_counter() - begin)
-    return found, statistics.median(seen)
+        durations.append(time.perf_counter() - begin)
+    return outcome, statistics.median(durations)

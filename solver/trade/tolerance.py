@@ -144,10 +144,10 @@ class _Search:
                 return None
         words = "the times of the exact orbit"
         search = Search(self._exact.case, self.method, order, self.functions, words)
-        found = search.orbit(self._exact.times)
-        if found is None and self.finding is not None:
+        orbit = search.orbit(self._exact.times)
+        if orbit is None and self.finding is not None:
             self.finding.tried += tuple(search.tried)
-        return found
+        return orbit
 
     def _beyond(self, order: int) -> Errors | None:
         """Return the errors of a body's solution against its exact orbit, if too large.
@@ -158,8 +158,8 @@ class _Search:
         if exact is None:
             return None
         kernel = registry.kernel(exact.case.scene, self.method, self.functions)
-        found = attempt(kernel, exact.case, order, exact.times, self.functions)
-        errors = difference(found, exact, order) if found.converged else None
+        solution_ = attempt(kernel, exact.case, order, exact.times, self.functions)
+        errors = difference(solution_, exact, order) if solution_.converged else None
         if errors is None or errors.times > solution.FAR or size(errors) <= self.tol:
             return None
         return errors
@@ -171,11 +171,11 @@ class _Search:
         """
         while meets - fails > 1:
             middle = (fails + meets) // 2
-            found = self.meets(middle)
-            if found is None:
+            candidate = self.meets(middle)
+            if candidate is None:
                 fails = middle
             else:
-                meets, orbit = middle, found
+                meets, orbit = middle, candidate
         return orbit
 
     def known(self) -> list[tuple[int, float]]:
@@ -189,16 +189,16 @@ class _Search:
         Infinite if they do not fall any more; 0 if they converge geometrically, or if too few
         orders are known.
         """
-        known, last = self.known(), self.trials[-1].order
-        if len(known) < 2 * PATIENCE:
+        pairs, last = self.known(), self.trials[-1].order
+        if len(pairs) < 2 * PATIENCE:
             return 0.0
-        before = min(error for _, error in known[:-PATIENCE])
+        before = min(error for _, error in pairs[:-PATIENCE])
         resolved = before < RESOLVED or last > 4 * EVERY
-        if resolved and min(error for _, error in known[-PATIENCE:]) > LEAST_FALL * before:
+        if resolved and min(error for _, error in pairs[-PATIENCE:]) > LEAST_FALL * before:
             return math.inf
         if not about(self.method).power:
             return 0.0
-        orders, errors = np.log(np.array(known[len(known) // 2 :])).T
+        orders, errors = np.log(np.array(pairs[len(pairs) // 2 :])).T
         power, at_1 = np.polyfit(orders, errors, 1)
         if power > -SLOWEST:
             return 0.0
