@@ -16,9 +16,9 @@ def dataframe(table: "Table") -> Any:
     require("pandas", "pandas", "to_dataframe")
     import pandas as pd  # noqa: PLC0415
 
-    found = pd.DataFrame({name: column(values) for name, values in table.columns.items()})
-    found.attrs = {"units": dict(table.units), **table.about}
-    return found
+    frame = pd.DataFrame({name: column(values) for name, values in table.columns.items()})
+    frame.attrs = {"units": dict(table.units), **table.about}
+    return frame
 
 
 def dataset(table: "Table") -> Any:
@@ -41,27 +41,27 @@ def arrays(table: "Table") -> dict[str, tuple[tuple[str, ...], Any]]:
     or "" where the table has no row.
     """
     columns = {name: column(values) for name, values in table.columns.items()}
-    labels, places = _grid([columns[name] for name in table.index])
-    found: dict[str, tuple[tuple[str, ...], Any]]
-    found = {name: ((name,), labels[i]) for i, name in enumerate(table.index)}
+    labels, cells = _grid([columns[name] for name in table.index])
+    arrays_: dict[str, tuple[tuple[str, ...], Any]]
+    arrays_ = {name: ((name,), labels[i]) for i, name in enumerate(table.index)}
     for name, values in columns.items():
         if name not in table.index:
             grid = np.zeros(tuple(map(len, labels)), dtype=values.dtype)
             if values.dtype.kind == "f":
                 grid[...] = np.nan
-            grid[places] = values
-            found[name] = (table.index, grid)
-    return found
+            grid[cells] = values
+            arrays_[name] = (table.index, grid)
+    return arrays_
 
 
 def column(values: Any) -> Any:
     """Return a column as an array of strings, integers or floats; None becomes "" or NaN."""
     if isinstance(values, np.ndarray):
         return values
-    known = [value for value in values if value is not None]
-    if known and all(isinstance(value, str) for value in known):
+    present = [value for value in values if value is not None]
+    if present and all(isinstance(value, str) for value in present):
         return np.array(["" if value is None else value for value in values])
-    if known and len(known) == len(values) and all(isinstance(v, int) for v in known):
+    if present and len(present) == len(values) and all(isinstance(v, int) for v in present):
         return np.array(values)
     return np.array([np.nan if value is None else value for value in values], dtype=float)
 
@@ -70,10 +70,10 @@ def _grid(index: "list[Vector]") -> "tuple[list[Vector], Any]":
     """Return the distinct values of each coordinate, and the index of each row in the grid."""
     if len(index) == 1:
         return index, slice(None)
-    labels, places = [], []
+    labels, indices = [], []
     for values in index:
-        known = np.array(list(dict.fromkeys(values.tolist())))
-        labels.append(known)
-        where = {value: i for i, value in enumerate(known.tolist())}
-        places.append(np.array([where[value] for value in values.tolist()], dtype=int))
-    return labels, tuple(places)
+        distinct = np.array(list(dict.fromkeys(values.tolist())))
+        labels.append(distinct)
+        position = {value: i for i, value in enumerate(distinct.tolist())}
+        indices.append(np.array([position[value] for value in values.tolist()], dtype=int))
+    return labels, tuple(indices)

@@ -91,18 +91,18 @@ class OfRows(Tabular):
     def head(self, **how: Any) -> dict[str, Any]:
         """Return the first keys of its document: the case, `how` its orbits were computed."""
         scene = self.case.scene
-        found: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
-        found |= {"motion": scene.motion, "cycles": self.case.cycles, **how}
-        return found | {"functions": self.functions, "parameters": dict(self.case.values)}
+        head: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
+        head |= {"motion": scene.motion, "cycles": self.case.cycles, **how}
+        return head | {"functions": self.functions, "parameters": dict(self.case.values)}
 
     def about(self, **how: Any) -> dict[str, Any]:
         """Return the data that all rows of the table share: `head` without empty entries.
 
         The parameters are left out as well.
         """
-        found = self.head(**how)
-        del found["parameters"]
-        return {name: value for name, value in found.items() if value is not None}
+        head = self.head(**how)
+        del head["parameters"]
+        return {name: value for name, value in head.items() if value is not None}
 
     def _repr_html_(self) -> str:
         return of_rows(repr(self), str(self), self.plot)
@@ -127,18 +127,18 @@ def flat(rows: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
 
 
 def _leaves(row: Mapping[str, Any]) -> "list[tuple[str, Any]]":
-    found: list[tuple[str, Any]] = []
+    leaves: list[tuple[str, Any]] = []
     for name, value in row.items():
         head = name.removesuffix("s")
         if isinstance(value, Mapping):
             for key, part in value.items():
                 if isinstance(part, tuple | list) and len(part) == 2:
                     ends = zip(("least", "largest"), part, strict=True)
-                    found += [(f"{end}_{key}", number) for end, number in ends]
+                    leaves += [(f"{end}_{key}", number) for end, number in ends]
                 else:
-                    found.append((f"{head}_{key}", part))
+                    leaves.append((f"{head}_{key}", part))
         elif isinstance(value, tuple | list):
-            found += [(f"{head}_{i}", part) for i, part in enumerate(value, 1)]
+            leaves += [(f"{head}_{i}", part) for i, part in enumerate(value, 1)]
         else:
-            found.append((name, value))
-    return found
+            leaves.append((name, value))
+    return leaves
