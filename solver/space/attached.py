@@ -56,8 +56,8 @@ class Attached:
     @cached_property
     def static_sum(self) -> Fraction:
         """The sum of ``r_n^2/mu_n``, or for a compliance ``r_n^2/mu_n^2``, exactly."""
-        found: Fraction = self.structure.module.static_sum(self.a)
-        return found
+        total: Fraction = self.structure.module.static_sum(self.a)
+        return total
 
     @property
     def raises(self) -> bool:
@@ -143,8 +143,8 @@ class Attached:
             for q in self.structure.parameters
             if q.name != varied
         )
-        place = str(self.a) if self.a.denominator <= 10**4 else f"{float(self.a):.12g}"
-        derived = [] if varied == "position" else [f"a = {place}"]
+        position = str(self.a) if self.a.denominator <= 10**4 else f"{float(self.a):.12g}"
+        derived = [] if varied == "position" else [f"a = {position}"]
         if varied in ("", "position"):
             derived.append(f"s = {self.s:.6g}")
         return f"{listed}; {', '.join(derived)}"
@@ -167,22 +167,22 @@ def attach(structure: Structure, position: object = POSITION, **given: float) ->
             )
     except ValueError as error:
         errors.append(str(error))
-    known = {q.name: q for q in structure.parameters}
-    for name in sorted(given.keys() - known.keys()):
-        expected = ", ".join(("position", *known))
+    specs = {q.name: q for q in structure.parameters}
+    for name in sorted(given.keys() - specs.keys()):
+        expected = ", ".join(("position", *specs))
         errors.append(f"{name}: unknown, expected some of {expected}")
     values = {q.name: given.get(q.name, q.default) for q in structure.parameters}
     for name, value in values.items():
         signed = structure.kind == "stiffness" and name == structure.attached.name
         if not is_number(value) or value == 0 or (value < 0 and not signed):
-            expected = f"a number {'other than' if signed else 'above'} 0 in {known[name].unit}"
+            expected = f"a number {'other than' if signed else 'above'} 0 in {specs[name].unit}"
             errors.append(f"{name}: got {value!r:.60}, expected {expected}")
             errors[-1] += _why_not(structure, name, value)
     if not errors:
-        found = Attached(structure, {name: float(v) for name, v in values.items()}, a)
-        errors += _unstable(found) or _extremes(found)
+        attached = Attached(structure, {name: float(v) for name, v in values.items()}, a)
+        errors += _unstable(attached) or _extremes(attached)
         if not errors:
-            return found
+            return attached
     raise ParameterError(errors)
 
 

@@ -182,8 +182,8 @@ def convergence(
     """
     whole("mode", number)
     orders, rows = tuple(orders), []
-    wanted = [(line, check_order(line.method, order)) for line in lines for order in orders]
-    for line, order in wanted:
+    pairs = [(line, check_order(line.method, order)) for line in lines for order in orders]
+    for line, order in pairs:
         rows.append(_row(attached, line, order, number))
         done(f"{line.name(attached)}, N = {order}")
     return Convergence(attached, number, tuple(lines), tuple(rows))
@@ -197,15 +197,15 @@ def _row(attached: Attached, line: Line, order: int, number: int) -> Convergence
         return head
     roots = secular.eigenvalues(bare, attached, number)
     exact, i = exact_modes(attached, number), number - 1
-    off = exact.error(roots, i)
+    error = exact.error(roots, i)
     shape = shape_of(attached, bare, roots, i)
     errors = shape_errors(attached, shape, exact, number, order)
     value = float(roots.values[i])
     return replace(
         head,
         beta=value ** (1 / (2 * attached.structure.m)),
-        error=of_frequency(off),
-        eigenvalue_error=off,
+        error=of_frequency(error),
+        eigenvalue_error=error,
         shape=errors[0],
         discontinuous=errors[-1],
         jump_mismatch=None if exact.untouched[i] else jump_mismatch(attached, shape, value),
@@ -228,9 +228,9 @@ def shape_errors(
     u, u_exact = shape.values(x, 0), exact.shape(number, x, 0)
     scale = 1 / np.sqrt(weights @ u_exact**2)
     scale = scale if weights @ (u * u_exact) > 0 else -scale
-    found = []
+    errors = []
     for derivative in range(attached.structure.broken + 1):
-        wanted = scale * exact.shape(number, x, derivative)
-        off = shape.values(x, derivative) - wanted
-        found.append(float(np.sqrt(weights @ off**2 / (weights @ wanted**2))))
-    return tuple(found)
+        target = scale * exact.shape(number, x, derivative)
+        difference = shape.values(x, derivative) - target
+        errors.append(float(np.sqrt(weights @ difference**2 / (weights @ target**2))))
+    return tuple(errors)

@@ -89,12 +89,12 @@ class Mode:
 
         ``int rho u^2 dx``, and of a mass ``m_0 u(a)^2``, of a rotary inertia ``J_0 u'(a)^2``.
         """
-        one = self._attached
-        found = one.values["mass_per_length"] * one.length
-        if one.structure.kind == "inertia":
-            moved = self.shape(float(one.a) * one.length, one.structure.felt)
-            found += one.values[one.structure.attached.name] * float(moved) ** 2
-        return found
+        attached = self._attached
+        mass = attached.values["mass_per_length"] * attached.length
+        if attached.structure.kind == "inertia":
+            moved = self.shape(float(attached.a) * attached.length, attached.structure.felt)
+            mass += attached.values[attached.structure.attached.name] * float(moved) ** 2
+        return mass
 
     @property
     def node_at_attachment(self) -> bool:
@@ -128,12 +128,12 @@ class Mode:
         ValueError
             If a place is not on the structure, or there is no such derivative.
         """
-        places, length = np.asarray(x, dtype=float), self._attached.length
-        if not ((places >= 0) & (places <= length)).all():
+        points, length = np.asarray(x, dtype=float), self._attached.length
+        if not ((points >= 0) & (points <= length)).all():
             raise ValueError(f"x: got {x!r:.60}, expected places from 0 to {length:g} m")
         derivative = whole("derivative", derivative, 0, 2 * self._attached.structure.m)
-        found = self._shape.values(places.ravel() / length, derivative)
-        return (found / length**derivative).reshape(places.shape)
+        values = self._shape.values(points.ravel() / length, derivative)
+        return (values / length**derivative).reshape(points.shape)
 
     def normalised(self, x: npt.ArrayLike, derivative: int = 0) -> Vector:
         """Return `shape` with a modal mass of 1 kg, in 1/(kg^(1/2) m^derivative).

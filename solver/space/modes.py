@@ -237,11 +237,11 @@ def modes(
         raise ValueError(f"tol: got {tol!r} with order {order!r}, expected one of them")
     if not is_number(tol) or not 0 < tol < 1:
         raise ValueError(f"tol: got {tol!r}, expected a number above 0 and below 1")
-    wanted, highest = whole("count", COUNT if count is None else count), HIGHEST[method]
+    number, highest = whole("count", COUNT if count is None else count), HIGHEST[method]
     return to_tolerance(
-        lambda order: at_order(attached, method, order, K, wanted),
+        lambda order: at_order(attached, method, order, K, number),
         lambda found: max(_off(mode) for mode in found),
-        range(min(max(wanted, 2), highest), highest + 1),
+        range(min(max(number, 2), highest), highest + 1),
         float(tol),
         shown(attached.structure, method),
     )
@@ -256,18 +256,18 @@ def at_order(attached: Attached, method: str, order: int, K: int, count: int | N
         If the order is out of range, or there are fewer modes than wanted.
     """
     bare = bare_modes(attached, method, check_order(method, order), K)
-    wanted = check_count(bare.count, count, COUNT, method, order)
-    roots = secular.eigenvalues(bare, attached, wanted)
-    exact = exact_modes(attached, wanted)
-    low = np.full(wanted, np.nan)
+    number = check_count(bare.count, count, COUNT, method, order)
+    roots = secular.eigenvalues(bare, attached, number)
+    exact = exact_modes(attached, number)
+    low = np.full(number, np.nan)
     if method != "ck":
-        low = bounds.below(attached, order, K, wanted)
+        low = bounds.below(attached, order, K, number)
     high = bounds.above(roots)
-    found = tuple(
+    modes_ = tuple(
         _mode(attached, bare, roots, exact, i, float(low[i]), float(high[i]))
-        for i in range(wanted)
+        for i in range(number)
     )
-    return Modes(attached, method, order, K, bare.unknowns, found, exact)
+    return Modes(attached, method, order, K, bare.unknowns, modes_, exact)
 
 
 def _mode(

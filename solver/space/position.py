@@ -50,19 +50,19 @@ def as_position(value: object) -> Fraction:
     expected = "expected a fraction or a decimal above 0 and below 1, such as 3/10"
     try:
         if isinstance(value, str | Decimal):
-            found = as_fraction(str(value))
+            fraction = as_fraction(str(value))
         elif isinstance(value, numbers.Rational):  # a bool, too, which is an end
-            found = Fraction(value)
+            fraction = Fraction(value)
         elif isinstance(value, numbers.Real):
-            found = Fraction(repr(float(value)))
+            fraction = Fraction(repr(float(value)))
         else:
             raise TypeError
     except (ValueError, TypeError, ZeroDivisionError, OverflowError):
         raise ValueError(f"position: got {value!r:.60}, {expected}") from None
-    if not 0 < found < 1 or not 0 < float(found) < 1:
-        said = str(value) if isinstance(value, Fraction) else repr(value)
-        raise ValueError(f"position: got {said:.60}, {expected}")
-    return found
+    if not 0 < fraction < 1 or not 0 < float(fraction) < 1:
+        text = str(value) if isinstance(value, Fraction) else repr(value)
+        raise ValueError(f"position: got {text:.60}, {expected}")
+    return fraction
 
 
 def sines(numbers_: Integers, a: Fraction) -> tuple[Vector, Vector]:
@@ -77,6 +77,6 @@ def sines(numbers_: Integers, a: Fraction) -> tuple[Vector, Vector]:
     p = np.where(flipped, Q - p, p)
     beyond = 4 * p > Q  # there the sine of the rest of a quarter is the cosine
     angle = np.pi * np.where(beyond, (Q - 2 * p) / (2 * Q), p / Q).astype(float)
-    both = np.sin(angle), np.cos(angle)
-    sine, cosine = np.where(beyond, both[::-1], both)
+    pair = np.sin(angle), np.cos(angle)
+    sine, cosine = np.where(beyond, pair[::-1], pair)
     return sign * sine, sign * np.where(flipped, -cosine, cosine)

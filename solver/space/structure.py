@@ -89,16 +89,16 @@ def load(name: str) -> Structure:
     UnknownStructure
         Naming the structures with the nearest names.
     """
-    known = names()
-    wanted = name.replace("_", "-") if isinstance(name, str) else ""
-    if wanted not in known:
-        raise UnknownStructure(f"structure: got {name!r}, expected {one_of(wanted, known)}")
-    record = dict(_records()[wanted])
+    valid = names()
+    hyphenated = name.replace("_", "-") if isinstance(name, str) else ""
+    if hyphenated not in valid:
+        raise UnknownStructure(f"structure: got {name!r}, expected {one_of(hyphenated, valid)}")
+    record = dict(_records()[hyphenated])
     parameters = tuple(Parameter(*row) for row in record.pop("parameters"))
-    return Structure(name=wanted, parameters=parameters, **record)
+    return Structure(name=hyphenated, parameters=parameters, **record)
 
 
 def _records() -> dict[str, dict[str, Any]]:
     """Return the generated facts of all structures, by name."""
-    found: dict[str, dict[str, Any]] = import_module(f"{_GENERATED}.structures").STRUCTURES
-    return found
+    records: dict[str, dict[str, Any]] = import_module(f"{_GENERATED}.structures").STRUCTURES
+    return records

@@ -40,15 +40,15 @@ def to_tolerance(
         If none is within it.
     """
     last, order = None, 0
-    for each in (*(q for q in TRIED if q < orders[-1]), orders[-1]):
+    for candidate in (*(q for q in TRIED if q < orders[-1]), orders[-1]):
         try:
-            found = at_order(each)
+            outcome = at_order(candidate)
         except ValueError:
-            if each < orders[0]:
+            if candidate < orders[0]:
                 continue  # fewer modes than wanted
             raise
-        last, order = off(found), each
+        last, order = off(outcome), candidate
         if last <= tol:
-            return found
+            return outcome
     reached = "" if last is None else f"; order {order} reaches {last:.1e}"
     raise ToleranceNotMet(f"tol: got {tol:g}, no order of {name} is within it{reached}")

@@ -31,15 +31,15 @@ def below(attached: Attached, N: int, K: int, count: int) -> Vector:
     They are NaN where nothing is proved: beyond ``mu_(N+1)``, and for a compliance without
     forced modes.
     """
-    found = np.full(count, np.nan)
+    bounds = np.full(count, np.nan)
     bare = _with_radau_tail(attached, N, K)
     if bare is None:
-        return found
+        return bounds
     roots = secular.eigenvalues(bare, attached, count)
     low = roots.values - roots.rounding
     valid = (roots.values < attached.bare(np.array([N + 1]))[0]) & (low > 0)
-    found[: len(valid)][valid] = low[valid]
-    return found
+    bounds[: len(valid)][valid] = low[valid]
+    return bounds
 
 
 def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
@@ -51,8 +51,8 @@ def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
     free = K - compliant
     next_bare = float(attached.bare(np.array([N + 1]))[0])
     count = 2 * free + 1
-    left = left_out(attached, N, count + compliant)
-    moments = left.sums[int(compliant) :] * next_bare ** np.arange(float(count))
+    tail = left_out(attached, N, count + compliant)
+    moments = tail.sums[int(compliant) :] * next_bare ** np.arange(float(count))
     try:
         nodes, weights = _radau(moments)
     except LinAlgError:
@@ -67,8 +67,8 @@ def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
         eigenvalues=np.append(sines.eigenvalues, poles),
         felt=np.append(felt, np.sqrt(weights * poles)),
         static_rest=0.0,
-        hinge_rest=left.sums[0] - float(weights @ poles) if compliant else 0.0,
-        off=left.error,
+        hinge_rest=tail.sums[0] - float(weights @ poles) if compliant else 0.0,
+        off=tail.error,
         inexact=np.ones(N + len(poles)),
     )
 

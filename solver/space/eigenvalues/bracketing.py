@@ -31,9 +31,9 @@ def bracketed(function: Callable[[Vector], Vector], end: Vector) -> Vector:
     a, b = end.copy(), np.zeros_like(end)
     fa, fb = function(a), function(b)
     t = np.full(a.shape, 0.5)
-    found, sought = np.where(fb == 0, b, a), np.sign(fa) * np.sign(fb) < 0
+    roots, active = np.where(fb == 0, b, a), np.sign(fa) * np.sign(fb) < 0
     for _ in range(STEPS):
-        if not sought.any():
+        if not active.any():
             break
         new = a + t * (b - a)
         f_new = function(new)
@@ -43,11 +43,11 @@ def bracketed(function: Callable[[Vector], Vector], end: Vector) -> Vector:
         a, fa = new, f_new
         best = np.where(np.abs(fa) < np.abs(fb), a, b)
         width = np.abs(b - a)
-        found = np.where(sought, best, found)
-        sought = sought & (width > 2 * EPS * np.abs(best)) & (fa != 0)
+        roots = np.where(active, best, roots)
+        active = active & (width > 2 * EPS * np.abs(best)) & (fa != 0)
         room = EPS * np.abs(best) / np.where(width > 0, width, 1.0)
         t = _next(a, b, c, fa, fb, fc, np.minimum(room, 0.5))
-    return found
+    return roots
 
 
 def _next(

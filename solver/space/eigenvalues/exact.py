@@ -67,8 +67,8 @@ class ExactModes:
         Shifts from eigenvalues of the bare structure are compared, to avoid cancellation.
         """
         origin = self.attached.bare(self.n[i])
-        off = (roots.origin[i] - origin) + (roots.shift[i] - self.shifts[i])
-        return float(off) / float(self.eigenvalues[i])
+        difference = (roots.origin[i] - origin) + (roots.shift[i] - self.shifts[i])
+        return float(difference) / float(self.eigenvalues[i])
 
     def shape(self, number: int, x: Vector, derivative: int) -> Vector:
         """Return a derivative, up to ``2m - 1``, of a mode at places relative to the length.
@@ -135,14 +135,14 @@ def exact_modes(attached: Attached, count: int) -> ExactModes:
     """Return the lowest exact modes of a structure."""
     n = np.arange(1, 2 * count + 3)
     felt = attached.felt(n) != 0
-    coupled, kept = n[felt][: count + 2], n[~felt][:count]
+    coupled, bare = n[felt][: count + 2], n[~felt][:count]
     low, high = coupled[:-1], coupled[1:]
     if not attached.raises:
         low, high = np.append(0, low), np.append(coupled[0], high)
     low, high = low[:count], high[:count]
     origin, offset = _roots(attached, low, high)
-    every_n, every_offset = np.append(origin, kept), np.append(offset, np.zeros(len(kept)))
-    untouched = np.append(np.zeros(len(origin), bool), np.ones(len(kept), bool))
+    every_n, every_offset = np.append(origin, bare), np.append(offset, np.zeros(len(bare)))
+    untouched = np.append(np.zeros(len(origin), bool), np.ones(len(bare), bool))
     order = np.argsort(every_n * np.pi + every_offset, kind="stable")[:count]
     return ExactModes(attached, every_n[order], every_offset[order], untouched[order])
 
@@ -188,10 +188,10 @@ class _Equation:
         q = _Sines(self.attached, self.origin, offset)
         with np.errstate(all="ignore"):
             over = module.receptance_over_sine(beta, q.sin_a, q.cos_a, q.sin_b, q.cos_b)
-            found = np.array(over / q.sin + module.receptance_rest(beta, a, b))
+            receptance = np.array(over / q.sin + module.receptance_rest(beta, a, b))
         if self.sums.size:
-            found[self.sums] = self._summed(offset[self.sums])
-        return found
+            receptance[self.sums] = self._summed(offset[self.sums])
+        return receptance
 
     def _summed(self, offset: Vector) -> Vector:
         """Return the same as a sum over modes, with a power series for the other modes."""

@@ -63,18 +63,18 @@ class Roots:
 def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
     """Return the lowest eigenvalues of a structure with its attachment, from bare modes."""
     felt, unit = bare.felt != 0, ROUNDINGS * EPS
-    kept, terms = np.flatnonzero(~felt)[:count], _Terms(bare, attached, felt)
+    uncoupled, terms = np.flatnonzero(~felt)[:count], _Terms(bare, attached, felt)
     origin, shift = _coupled(terms, count)
     rounding = unit * (origin + shift)
     if origin.size:
         rounding += unit * _sensitivity(terms, bare.inexact[felt], bare.off, origin, shift)
     every = Roots(
-        np.append(origin, bare.eigenvalues[kept]),
-        np.append(shift, np.zeros(len(kept))),
-        np.append(np.full(len(origin), -1), kept),
-        np.append(rounding, unit * bare.eigenvalues[kept] * bare.inexact[kept]),
+        np.append(origin, bare.eigenvalues[uncoupled]),
+        np.append(shift, np.zeros(len(uncoupled))),
+        np.append(np.full(len(origin), -1), uncoupled),
+        np.append(rounding, unit * bare.eigenvalues[uncoupled] * bare.inexact[uncoupled]),
     )
-    order = _order(attached, every, kept, count)
+    order = _order(attached, every, uncoupled, count)
     return Roots(*(field[order] for field in vars(every).values()))
 
 
@@ -180,9 +180,9 @@ class _Function:
     def __call__(self, shift: Vector) -> Vector:
         terms = self.terms
         away = np.where(self.own, 1.0, self.distance - shift[:, None])
-        others = np.where(self.own, 0.0, self.weights / away).sum(axis=1)
+        sums = np.where(self.own, 0.0, self.weights / away).sum(axis=1)
         factor = np.where(self.at_pole, shift, 1.0)
-        total = factor * (terms.h + others) - self.own_weight
+        total = factor * (terms.h + sums) - self.own_weight
         if terms.kind == "stiffness":
             constant = np.where(self.from_zero, terms.margin, factor)
             return np.asarray(constant + terms.s * np.where(self.from_zero, shift, 1.0) * total)

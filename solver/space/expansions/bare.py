@@ -100,11 +100,11 @@ def ritz(attached: Attached, N: int) -> BareModes:
     A compliance does not affect them, for sines have no jump in the slope.
     """
     n, kind = np.arange(1, N + 1), attached.structure.kind
-    rest = left_out(attached, N, 1) if kind == "stiffness" else None
+    tail = left_out(attached, N, 1) if kind == "stiffness" else None
     return BareModes(
         eigenvalues=attached.bare(n),
         felt=np.zeros(N) if kind == "compliance" else attached.felt(n),
-        static_rest=float(rest.sums[0]) if rest else 0.0,
+        static_rest=float(tail.sums[0]) if tail else 0.0,
         hinge_rest=0.0,
         unknowns=N,
         shapes=Sines(N),

@@ -57,16 +57,16 @@ def _laguerre(p: int) -> tuple[Vector, Vector]:
 
 def exponential_integral(p: int, z: Complex) -> Complex:
     """Return ``E_p(z)``, the integral of ``e^(-z t)/t^p`` from 1 on, for imaginary `z`."""
-    found, near = np.exp(-z), np.abs(z) < NEAR
+    values, near = np.exp(-z), np.abs(z) < NEAR
     if near.any():
         inside = np.where(z == 0, 1e-300j, z)[near]
         last = exp1(inside)
         for q in range(1, p):
-            last = (found[near] - inside * last) / q
-        found[near] = last
+            last = (values[near] - inside * last) / q
+        values[near] = last
     fraction = far = z[~near]
     if far.size:
         for level in range(LEVELS, 0, -1):
             fraction = far + (p + level - 1) / (1 + level / fraction)
-        found[~near] /= fraction
-    return found
+        values[~near] /= fraction
+    return values

@@ -50,9 +50,9 @@ class ForcedModes:
             summed = factors @ Sines(N).values(x, derivative)
             return np.asarray(self.values(q, x, derivative, side) - summed)
         x, a = np.asarray(x, dtype=float), float(self.attached.a)
-        apart = 1j ** (derivative - j) * beyond(power, N, np.pi * (x - a))
-        along = 1j ** (derivative + j) * beyond(power, N, np.pi * (x + a))
-        return np.asarray((apart - along).real / np.pi**power)
+        minus = 1j ** (derivative - j) * beyond(power, N, np.pi * (x - a))
+        plus = 1j ** (derivative + j) * beyond(power, N, np.pi * (x + a))
+        return np.asarray((minus - plus).real / np.pi**power)
 
 
 @lru_cache(maxsize=64)
@@ -66,8 +66,8 @@ def _odd_polynomial(coefficients: Sequence[float], x: Vector, derivative: int) -
     """Return a derivative of the polynomial with coefficients of ``x, x^3, ...``."""
     whole = np.zeros(2 * len(coefficients))
     whole[1::2] = coefficients
-    found = np.polynomial.Polynomial(whole)
-    return np.asarray(found.deriv(derivative)(x) if derivative else found(x))
+    polynomial = np.polynomial.Polynomial(whole)
+    return np.asarray(polynomial.deriv(derivative)(x) if derivative else polynomial(x))
 
 
 @dataclass(frozen=True)
@@ -100,14 +100,14 @@ def ritz_forced(attached: Attached, N: int, chosen: tuple[int, ...]) -> BareMode
     hinged = compliant and chosen[0] == 1
     tails = tuple(q for q in chosen if not (compliant and q == 1))
     n, sines = np.arange(1, N + 1), ritz(attached, N)
-    found = replace(
+    modes = replace(
         sines,
         felt=attached.felt(n) / attached.bare(n) if hinged else sines.felt,
         hinge_rest=float(left_out(attached, N, 1).sums[0]) if hinged else 0.0,
         unknowns=N + len(chosen),
         shapes=WithForcedModes(attached, N, tails, np.empty((0, 0))),
     )
-    return _with_tails(found, attached, N, tails) if tails else found
+    return _with_tails(modes, attached, N, tails) if tails else modes
 
 
 def _with_tails(
@@ -117,8 +117,8 @@ def _with_tails(
     next_bare = float(attached.bare(np.array([N + 1]))[0])
     first = attached.structure.lowest_sum
     most = 2 * tails[-1]
-    left = left_out(attached, N, most - first + 1)
-    scaled = left.sums * next_bare ** np.arange(first, most + 1.0)
+    tail = left_out(attached, N, most - first + 1)
+    scaled = tail.sums * next_bare ** np.arange(first, most + 1.0)
 
     def sums(index: Matrix) -> Matrix:
         return np.asarray(scaled[np.asarray(index) - first])
@@ -142,6 +142,6 @@ def _with_tails(
         static_rest=static_rest,
         hinge_rest=sines.hinge_rest - float(felt @ felt) if hinged else 0.0,
         shapes=WithForcedModes(attached, N, tails, combination * next_bare ** q.astype(float)),
-        off=left.error,
+        off=tail.error,
         inexact=np.ones(N + len(tails)),
     )

@@ -23,9 +23,9 @@ def generic_method(structure: Structure, method: object) -> str:
         If no method has this name.
     """
     if isinstance(method, str):
-        wanted = method.replace(f"c{structure.k}", "ck")
-        if wanted in METHODS:
-            return wanted
+        name = method.replace(f"c{structure.k}", "ck")
+        if name in METHODS:
+            return name
     expected = f"one of {', '.join(METHODS)}: {structure.name} is C{structure.k}"
     raise ValueError(f"method: got {method!r}, expected {expected}")
 

@@ -64,22 +64,22 @@ class Pieces:
     def integrated(self) -> "Pieces":
         """Return the integrals from 0, continuous at `a`."""
         _, size, count = self.coefficients.shape
-        found, start = np.zeros((2, size + 1, count)), np.zeros(count)
-        for integral, part, h in zip(found, self.coefficients, self.lengths, strict=True):
+        integrals, start = np.zeros((2, size + 1, count)), np.zeros(count)
+        for integral, part, h in zip(integrals, self.coefficients, self.lengths, strict=True):
             scaled = legendre_integral(np.arange(size), h)[:, None] * part
             integral[1:] += scaled
             integral[:-2] -= scaled[1:]
             integral[0] += scaled[0] + start  # P_(-1)* = -1: zero at the start of the segment
             start = integral.sum(axis=0)
-        return Pieces(self.lengths, found)
+        return Pieces(self.lengths, integrals)
 
     def less_slope(self, slope: Vector) -> "Pieces":
         """Return the functions, of degree 1 at least, less ``slope x``."""
-        found, (a, b) = self.coefficients.copy(), self.lengths
-        for part, h, middle in zip(found, (a, b), (a / 2, a + b / 2), strict=True):
+        coefficients, (a, b) = self.coefficients.copy(), self.lengths
+        for part, h, middle in zip(coefficients, (a, b), (a / 2, a + b / 2), strict=True):
             part[0] -= slope * middle
             part[1] -= slope * h / 2
-        return Pieces(self.lengths, found)
+        return Pieces(self.lengths, coefficients)
 
 
 def _derivative(pieces: Pieces, derivative: int) -> Iterator[Matrix]:
@@ -120,9 +120,9 @@ def piecewise(attached: Attached, N: int, continuity: int | None = None) -> Bare
     rows = _conditions(start, m, max(k, m - 1))
     basis = start.combined(_nullspace(rows, start.coefficients.shape[2]))
     u = _integrals(basis, m)
-    each, sigma, turned = np.linalg.svd(u.orthonormal(), full_matrices=False)
+    vectors, sigma, turned = np.linalg.svd(u.orthonormal(), full_matrices=False)
     good = sigma > np.finfo(float).tiny ** 0.25
-    each, sigma, turned = each[:, good], sigma[good], turned[good]
+    vectors, sigma, turned = vectors[:, good], sigma[good], turned[good]
     modes = u.combined(turned.T / sigma)
     at_a = np.array(u.lengths[:1])
     felt = modes.values(at_a, structure.felt, -1)[
@@ -133,9 +133,9 @@ def piecewise(attached: Attached, N: int, continuity: int | None = None) -> Bare
         higher = (0, u.coefficients.shape[1] - 2)
         hat = np.pad(_hat(u.lengths).coefficients, ((0, 0), higher, (0, 0)))
         column = Pieces(u.lengths, hat).orthonormal()[:, 0]
-        felt = column @ each
-        left = column - each @ felt
-        static, rest = float(column @ column), float(left @ left)
+        felt = column @ vectors
+        residual = column - vectors @ felt
+        static, rest = float(column @ column), float(residual @ residual)
     if 2 * attached.a > 1:
         modes, felt = modes.mirrored(), (-1) ** structure.felt * felt
     has_static = compliant or k <= structure.k
@@ -185,8 +185,8 @@ def _nullspace(rows: list[Vector], size: int) -> Matrix:
 
 def _integrals(basis: Pieces, m: int) -> Pieces:
     """Return the displacements, zero at both ends."""
-    found = basis.integrated()
+    integrals = basis.integrated()
     if m == 1:
-        return found
-    found = found.integrated()
-    return found.less_slope(found.values(np.ones(1), 0)[:, 0])
+        return integrals
+    integrals = integrals.integrated()
+    return integrals.less_slope(integrals.values(np.ones(1), 0)[:, 0])

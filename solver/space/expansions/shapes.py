@@ -29,28 +29,28 @@ class Shape:
         At the attachment it is the limit from a side, -1 or 1, or for 0 the mean of both.
         """
         x = np.asarray(x, dtype=float)
-        found = self.coefficients @ self.bare.shapes.values(x, derivative, side)
+        values = self.coefficients @ self.bare.shapes.values(x, derivative, side)
         if self.hinge:
-            found = found + self.hinge * self.bare.shapes.hinge(x, derivative, side)
-        return np.asarray(found)
+            values = values + self.hinge * self.bare.shapes.hinge(x, derivative, side)
+        return np.asarray(values)
 
 
 def shape_of(attached: Attached, bare: BareModes, roots: Roots, i: int) -> Shape:
     """Return the shape of eigenvalue `i` of `roots`, with a positive slope at ``x = 0``."""
     hinge = 0.0
     if roots.untouched[i] >= 0:
-        found = np.zeros(len(bare.eigenvalues))
-        found[roots.untouched[i]] = 1.0
+        coefficients = np.zeros(len(bare.eigenvalues))
+        coefficients[roots.untouched[i]] = 1.0
     else:
         away = (bare.eigenvalues - roots.origin[i]) - roots.shift[i]
         # rounding may put a root on a pole with a negligible weight
         away = np.where(away == 0, EPS * bare.eigenvalues, away)
-        found = bare.felt / away
+        coefficients = bare.felt / away
         if attached.structure.kind == "compliance":
-            found, hinge = found * float(roots.values[i]), 1.0
-    whole = found + hinge * bare.felt  # with the projection of the function with a jump
+            coefficients, hinge = coefficients * float(roots.values[i]), 1.0
+    whole = coefficients + hinge * bare.felt  # with the projection of the function with a jump
     scale = float(1 / np.sqrt(whole @ whole + hinge**2 * bare.hinge_rest))
-    shape = Shape(bare, found * scale, hinge * scale)
+    shape = Shape(bare, coefficients * scale, hinge * scale)
     if shape.values(np.zeros(1), 1)[0] < 0:
         return Shape(bare, -shape.coefficients, -shape.hinge)
     return shape
@@ -65,5 +65,5 @@ def jump_mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float 
     structure, a = attached.structure, np.array([float(attached.a)])
     before, behind = (shape.values(a, structure.broken, side)[0] for side in (-1, 1))
     law = attached.law(eigenvalue) * shape.values(a, structure.felt)[0]
-    found = float((behind - before) / law - 1) if law else math.nan
-    return found if math.isfinite(found) else None
+    mismatch = float((behind - before) / law - 1) if law else math.nan
+    return mismatch if math.isfinite(mismatch) else None

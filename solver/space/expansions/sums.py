@@ -30,8 +30,8 @@ class LeftOut:
 
 def left_out(attached: Attached, N: int, most: int) -> LeftOut:
     """Return the sums over the modes beyond the first `N`, up to ``q = most``."""
-    turns = TURNS / float(min(attached.a, 1 - attached.a))
-    summed = int(min(max(FEWEST, turns), MOST))
+    oscillations = TURNS / float(min(attached.a, 1 - attached.a))
+    summed = int(min(max(FEWEST, oscillations), MOST))
     lower = attached.structure.lowest_sum
     with_errors = [_summed(attached, N, q + lower, N + summed) for q in range(most)]
     return LeftOut(np.array([total for total, _ in with_errors]), with_errors[0][1])
@@ -51,8 +51,8 @@ def _summed(attached: Attached, N: int, q: int, last: int) -> tuple[float, float
     angle = 2 * np.pi * float(min(attached.a, 1 - attached.a))
     cosines = float(beyond(power, last, np.array([angle]))[0].real)
     rest = math.pi**-power * (zeta(power, last + 1) - (-1) ** j * cosines)
-    off = ROUNDINGS * EPS * math.pi**-power * (last + 1.0) ** (1 - power)
-    return head + rest, off + 4 * EPS * head
+    error = ROUNDINGS * EPS * math.pi**-power * (last + 1.0) ** (1 - power)
+    return head + rest, error + 4 * EPS * head
 
 
 @lru_cache(maxsize=8)

@@ -77,7 +77,7 @@ MUTANTS = (
     Mutant(
         "what is attached does not count in the modal mass",
         "solver/space/mode.py",
-        "            found += one.values[one.structure.attached.name] * float(moved) ** 2\n",
+        "            mass += attached.values[attached.structure.attached.name] * float(moved) ** 2\n",
         "",
         ("tests/space/test_space_shapes.py",),
     ),
