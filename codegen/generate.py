@@ -33,9 +33,9 @@ def sources() -> dict[str, Content]:
     """Derive everything and return the content of each generated file, by its place."""
     files: dict[str, Content] = {"__init__.py": INIT, "methods.py": methods.methods_source()}
     files |= {"hb.py": whole_period.module_source(), "hb_c1.py": one_function.module_source()}
-    for record, what in ((force_series, "recurrences"), (force_harmonics, "harmonics")):
+    for record, kind in ((force_series, "recurrences"), (force_harmonics, "harmonics")):
         name = record.__name__.rpartition(".")[2]
-        files[f"{name}.py"] = force_formulas.module_source(record, what)
+        files[f"{name}.py"] = force_formulas.module_source(record, kind)
     for name, expansion in expansions.modules().items():
         if expansions.kernel_name(expansion) == name and hasattr(expansion, "test"):
             files[f"{name}.py"] = phase_maps.module_source(expansion)
@@ -46,8 +46,8 @@ def sources() -> dict[str, Content]:
 
 def _in_its_folder(name: str) -> dict[str, Content]:
     """Return the content of each file of a scene's folder, by its place."""
-    found, folder = scene_sources(scenes.load(name)), name.replace("-", "_")
-    return {f"{folder}/{place}": content for place, content in found}
+    files, folder = scene_sources(scenes.load(name)), name.replace("-", "_")
+    return {f"{folder}/{place}": content for place, content in files}
 
 
 def scene_sources(scene: Scene) -> Iterator[tuple[str, Content]]:
@@ -66,12 +66,12 @@ def scene_sources(scene: Scene) -> Iterator[tuple[str, Content]]:
 
 
 def _present(folder: Path) -> dict[str, Content]:
-    found: dict[str, Content] = {}
+    files: dict[str, Content] = {}
     for path in sorted(q for q in folder.rglob("*") if q.suffix in (".py", ".npz")):
         text = path.suffix == ".py"
         name = path.relative_to(folder).as_posix()
-        found[name] = path.read_text("utf-8") if text else path.read_bytes()
-    return found
+        files[name] = path.read_text("utf-8") if text else path.read_bytes()
+    return files
 
 
 def _both(folder: Path, scene: str | None) -> tuple[dict[str, Content], dict[str, Content]]:
@@ -80,8 +80,8 @@ def _both(folder: Path, scene: str | None) -> tuple[dict[str, Content], dict[str
     if scene is None:
         return sources(), present
     name = scene.replace("_", "-")
-    own = f"{name.replace('-', '_')}/"
-    return _in_its_folder(name), {q: v for q, v in present.items() if q.startswith(own)}
+    prefix = f"{name.replace('-', '_')}/"
+    return _in_its_folder(name), {q: v for q, v in present.items() if q.startswith(prefix)}
 
 
 def differences(folder: Path, scene: str | None = None) -> list[str]:
@@ -108,8 +108,8 @@ def write(folder: Path, scene: str | None = None) -> list[str]:
         if present.get(name) != content:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             with whole(folder / name) as temporary:
-                made = content.encode() if isinstance(content, str) else content
-                temporary.write_bytes(made)
+                encoded = content.encode() if isinstance(content, str) else content
+                temporary.write_bytes(encoded)
             changes.append(f"{name}: written")
     for name in sorted(present.keys() - fresh.keys()):
         (folder / name).unlink()

@@ -142,8 +142,8 @@ class GalerkinSystem:
         for candidate in self.equations:
             if candidate.number == number:
                 return candidate
-        known = ", ".join(e.number for e in self.equations if e.number)
-        raise KeyError(f"{self.method} has no equation ({number}); it has {known}")
+        numbers = ", ".join(e.number for e in self.equations if e.number)
+        raise KeyError(f"{self.method} has no equation ({number}); it has {numbers}")
 
     def latex(self) -> str:
         """Return the equations as LaTeX, numbered as in the paper, without a preamble."""

@@ -53,13 +53,13 @@ def _multiplied(value: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
     It is multiplied by their reciprocals: to divide a complex number takes ten times as long.
     """
     terms: list[sp.Expr] = []
-    parts: dict[sp.Symbol, sp.Expr] = {}
+    divisors: dict[sp.Symbol, sp.Expr] = {}
     for term in sp.Add.make_args(value):
-        above, below = sp.fraction(term)
-        degrees = sorted(below.free_symbols, key=str)
-        if above.free_symbols and degrees and all(q.is_integer for q in degrees):
-            part = sp.Symbol("by_" + "_".join(map(str, degrees)))
-            assert parts.setdefault(part, below) == below, "two numbers of one name"
-            above, below = above * part, sp.Integer(1)
-        terms.append(above / below)
-    return sp.Add(*terms), parts
+        numerator, divisor = sp.fraction(term)
+        degrees = sorted(divisor.free_symbols, key=str)
+        if numerator.free_symbols and degrees and all(q.is_integer for q in degrees):
+            factor = sp.Symbol("by_" + "_".join(map(str, degrees)))
+            assert divisors.setdefault(factor, divisor) == divisor, "two numbers of one name"
+            numerator, divisor = numerator * factor, sp.Integer(1)
+        terms.append(numerator / divisor)
+    return sp.Add(*terms), divisors

@@ -46,7 +46,7 @@ def _unseen(module: ModuleType) -> tuple[int, ...]:
 
 def _facts(module: ModuleType) -> str:
     """Return the entries of one expansion, one on each line."""
-    found = expansions.about(module)
+    stated = expansions.about(module)
     facts = {
         "title": module.TITLE,
         "kernel": expansions.kernel_name(module),
@@ -55,10 +55,10 @@ def _facts(module: ModuleType) -> str:
         "alone": hasattr(module, "applies"),
         "bodies": hasattr(module, "of_body"),
         "is_series": not hasattr(module, "test"),
-        "power": found.power,
-        "color": found.colour,
-        "marker": found.marker,
-        "linestyle": found.line,
-        "filled": found.filled,
+        "power": stated.power,
+        "color": stated.colour,
+        "marker": stated.marker,
+        "linestyle": stated.line,
+        "filled": stated.filled,
     }
     return "".join(f"        {name!r}: {value!r},\n" for name, value in facts.items())

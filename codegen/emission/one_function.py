@@ -42,26 +42,24 @@ def closed_forms() -> Iterator[ClosedForm]:
         for order in (2, 1, 0)
         for coefficient in _up_to(3 - order, hb_c1.derivative(TIMES, p, order))
     )
-    what = "Return T**2 G'', T G', G on both phases, each as a series of Legendre polynomials."
-    yield ClosedForm("on_phases", what, TIMES.durations, series)
+    doc = "Return T**2 G'', T G', G on both phases, each as a series of Legendre polynomials."
+    yield ClosedForm("on_phases", doc, TIMES.durations, series)
     for time in TIMES.durations:
-        what, name = f"Return the derivatives of `on_phases` by {time}.", f"on_phases_by_{time}"
+        doc, name = f"Return the derivatives of `on_phases` by {time}.", f"on_phases_by_{time}"
         rates = tuple(sp.factor(sp.diff(value, time)) for value in series)
-        yield ClosedForm(name, what, TIMES.durations, rates)
-    what = (
-        "Return the integral of G times the left side for G, and its rates by both durations."
-    )
+        yield ClosedForm(name, doc, TIMES.durations, rates)
+    doc = "Return the integral of G times the left side for G, and its rates by both durations."
     square = _with_rates(hb_c1.by_itself(FREE, TIMES))
-    yield ClosedForm("by_itself", what, (m, k, *TIMES.durations), square)
-    what = "Return the integral of G times the force, and its rates by both durations."
+    yield ClosedForm("by_itself", doc, (m, k, *TIMES.durations), square)
+    doc = "Return the integral of G times the force, and its rates by both durations."
     force = _with_rates(hb_c1.force_by(FREE, TIMES))
-    yield ClosedForm("force_by", what, (f, *TIMES.durations), force)
+    yield ClosedForm("force_by", doc, (f, *TIMES.durations), force)
 
 
 def _up_to(degree: int, polynomial: sp.Expr) -> tuple[sp.Expr, ...]:
     """Return the coefficients of a polynomial up to this degree, zeros included."""
-    found = in_legendre(polynomial, hb_c1.u)
-    return found + (sp.Integer(0),) * (degree + 1 - len(found))
+    coefficients = in_legendre(polynomial, hb_c1.u)
+    return coefficients + (sp.Integer(0),) * (degree + 1 - len(coefficients))
 
 
 def _with_rates(value: sp.Expr) -> tuple[sp.Expr, ...]:

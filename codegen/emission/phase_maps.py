@@ -46,41 +46,41 @@ def closed_forms(rest: Rest) -> Iterator[ClosedForm]:
     yield from _row("row_0", zero, (x, v, d[0], d[1], d[2]))
     yield from _row("row_1", one, (v, d[0], d[1], d[2], d[3]))
     yield from _row("row_l", l, tuple(d[l + i] for i in range(-2, 3)))
-    what = "the change of the displacement over a phase: the coefficients of v, d_0, d_1"
+    doc = "the change of the displacement over a phase: the coefficients of v, d_0, d_1"
     gained = _coefficients(SERIES.at_end(0), (v, d[0], d[1]))  # x itself is left out
-    yield from _with_rate("displacement_gained", what, (s,), gained)
-    what = "the coefficient of d_n in derivative q of the acceleration at the end of a phase"
+    yield from _with_rate("displacement_gained", doc, (s,), gained)
+    doc = "the coefficient of d_n in derivative q of the acceleration at the end of a phase"
     part = SERIES.at_end(q + 2).function.coeff(d[degree])
-    yield from _with_rate("derivative_at_end", what, (degree, q, s), (part,))
-    what = (
+    yield from _with_rate("derivative_at_end", doc, (degree, q, s), (part,))
+    doc = (
         "Return the part of P_l* in the polynomial of degree m orthogonal to all tests of C^k."
     )
-    yield ClosedForm("unseen", what, (highest, l, of_class), (rest(highest, l, of_class),))
-    what = (
+    yield ClosedForm("unseen", doc, (highest, l, of_class), (rest(highest, l, of_class),))
+    doc = (
         "Return the term of the forcing in the row of degree l, from its moment of that degree."
     )
     harmonic = -SERIES.residual(LinearPhase(zero, zero, zero, zero, one), l, force)
-    yield ClosedForm("of_moment", what, (l, force), (harmonic,))
+    yield ClosedForm("of_moment", doc, (l, force), (harmonic,))
     kappa = sp.Symbol("kappa")
     rate = Moments(moment, turned, kappa, sp.Symbol("theta")).rate(kappa)
-    what = "Return d mu_l/d kappa: the coefficients of nu_(l - 1), nu_l, nu_(l + 1)."
+    doc = "Return d mu_l/d kappa: the coefficients of nu_(l - 1), nu_l, nu_(l + 1)."
     parts = _coefficients(rate, (turned[l - 1], turned[l], turned[l + 1]))
-    yield ClosedForm("moment_by_kappa", what, (l,), parts)
+    yield ClosedForm("moment_by_kappa", doc, (l,), parts)
 
 
 def _row(name: str, index: sp.Expr, unknowns: Sequence[sp.Expr]) -> Iterator[ClosedForm]:
     """Yield the coefficients of unknowns in a row of the residual, and derivatives by s."""
-    left = SERIES.residual(LinearPhase(m, c, k, sp.S.Zero, sp.S.Zero), index, sp.S.Zero)
+    residual = SERIES.residual(LinearPhase(m, c, k, sp.S.Zero, sp.S.Zero), index, sp.S.Zero)
     arguments = (l, m, c, k, s) if index == l else (m, c, k, s)
     words = ", ".join(str(unknown).replace(" ", "") for unknown in unknowns)
-    what = f"the residual in degree {index}: the coefficients of {words}"
-    yield from _with_rate(name, what, arguments, _coefficients(left, unknowns))
+    doc = f"the residual in degree {index}: the coefficients of {words}"
+    yield from _with_rate(name, doc, arguments, _coefficients(residual, unknowns))
 
 
 def _coefficients(expression: sp.Expr, unknowns: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     """Return the coefficients of unknowns in an expression, factored."""
-    found = weights(sp.expand(expression), set(unknowns))
-    return tuple(sp.factor(found.get(unknown, sp.S.Zero)) for unknown in unknowns)
+    coefficients = weights(sp.expand(expression), set(unknowns))
+    return tuple(sp.factor(coefficients.get(unknown, sp.S.Zero)) for unknown in unknowns)
 
 
 def _with_rate(
@@ -96,6 +96,6 @@ def _with_rate(
 def module_source(expansion: ModuleType) -> str:
     """Return the text of the module of an expansion, such as ``generated/ck.py``."""
     name = expansions.kernel_name(expansion)
-    served = [q.METHOD for q in expansions.in_order() if expansions.kernel_name(q) == name]
-    document = DOCUMENT.format(methods=" and ".join(f"`{method}`" for method in served))
+    methods = [q.METHOD for q in expansions.in_order() if expansions.kernel_name(q) == name]
+    document = DOCUMENT.format(methods=" and ".join(f"`{method}`" for method in methods))
     return module_text(document, list(closed_forms(expansion.rest)))

@@ -132,19 +132,19 @@ def of_phases(scene: Scene) -> Iterator[Function]:
 def _of_body(body: Body) -> Iterator[Function]:
     """Yield the functions of a body: entries of matrices with parameters; damping and modes."""
     symbolic = {name: q for name, q in body.arrays.items() if not q.is_numeric}
-    each = (
+    parts = (
         zip([name] * len(q.rows), q.rows, q.columns, q.values, strict=True)
         for name, q in symbolic.items()
     )
     rows = (
-        f"({name!r}, {i}, {j}, {python(value)})" for all_ in each for name, i, j, value in all_
+        f"({name!r}, {i}, {j}, {python(value)})" for part in parts for name, i, j, value in part
     )
     yield Function(
         "entries", "Return those entries of matrices that have parameters.", tuple(rows)
     )
     summary = "Return the damping ratio and the number of modes, if they are given."
-    given = (body.ratio, body.modes)
-    texts = tuple(python(q) if isinstance(q, sp.Symbol) else repr(q) for q in given)
+    numbers = (body.ratio, body.modes)
+    texts = tuple(python(q) if isinstance(q, sp.Symbol) else repr(q) for q in numbers)
     yield Function("modal", summary, texts)
 
 
@@ -171,8 +171,8 @@ def _jump(phase: Phase, scene: Scene) -> tuple[sp.Expr, ...]:
     if scene.body is None:
         _, rho, _, constant = form(phase.ends.jump.get(v, v), scene, phase.name, memory=False)
         return rho, constant
-    found: list[sp.Expr] = []
+    factors: list[sp.Expr] = []
     for contact in scene.body.at.values():
         after = form(phase.ends.jump.get(contact.v, contact.v), scene, phase.name)
-        found += [after[place(scene.body, contact.v)], after[3]]
-    return tuple(found)
+        factors += [after[place(scene.body, contact.v)], after[3]]
+    return tuple(factors)

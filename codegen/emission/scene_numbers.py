@@ -38,20 +38,20 @@ entry more for each constant of `MEMORY`."""
 
 def scene_source(scene: Scene) -> str:
     """Return the text of ``generated/<scene>/scene.py``, or of one motion of a scene."""
-    found = _functions(scene)
+    defined = _functions(scene)
     guessed = [] if scene.motions else [guess(scene)]
-    there = (each for each in (*found, *guessed) if each.entries)
-    functions = "\n\n".join(each.source(scene) for each in there)
+    nonempty = (each for each in (*defined, *guessed) if each.entries)
+    functions = "\n\n".join(each.source(scene) for each in nonempty)
     body = "\n".join(_data(scene)) + "\n\n\n" + functions
-    beside = _extremes(scene)
-    names = math_names(functions + beside)
+    extremes_text = _extremes(scene)
+    names = math_names(functions + extremes_text)
     imports = f"from math import {', '.join(names)}\n\n" if names else ""
     forms = FORMS if scene.body is None else FORMS_OF_BODY
     forms = "" if scene.motions else forms
     head = HEADER.format(name=scene.label, title=scene.title, k=class_of(scene), forms=forms)
     hashes = f'MATHEMATICS = "{mathematics(scene)}"  # of what fixes its motion\n'
     hashes += f'BODY = "{digest(body)}"  # of the text below\n\n'
-    return f"{head}{imports}{beside}{hashes}{body}"
+    return f"{head}{imports}{extremes_text}{hashes}{body}"
 
 
 def mathematics(scene: Scene) -> str:
@@ -64,8 +64,8 @@ def mathematics(scene: Scene) -> str:
     memory = [(q.symbol.name, q.at) for q in scene.memory]
     forms = [(function.name, function.entries) for function in _functions(scene)]
     motion = scene.half_period, str(scene.frequency), tuple(scene.motions), scene.motion
-    own = () if scene.body is None else (_digests(scene.body),)
-    return digest(repr((parameters, phases, memory, forms, motion, *own)))
+    body = () if scene.body is None else (_digests(scene.body),)
+    return digest(repr((parameters, phases, memory, forms, motion, *body)))
 
 
 def _digests(body: Body) -> dict[str, str]:
@@ -76,13 +76,13 @@ def _digests(body: Body) -> dict[str, str]:
 def matrices(scene: Scene) -> bytes:
     """Return the numeric matrices of a scene's body, and all shapes, as an ``.npz`` file."""
     assert scene.body is not None
-    found: dict[str, np.ndarray] = {}
+    arrays: dict[str, np.ndarray] = {}
     for name, q in scene.body.arrays.items():
-        found[f"{name}_shape"] = np.array(q.shape)
+        arrays[f"{name}_shape"] = np.array(q.shape)
         if q.is_numeric:
-            found |= {f"{name}_rows": q.rows, f"{name}_columns": q.columns, name: q.values}
+            arrays |= {f"{name}_rows": q.rows, f"{name}_columns": q.columns, name: q.values}
     file = io.BytesIO()
-    np.savez(file, **found)  # type: ignore[arg-type]
+    np.savez(file, **arrays)  # type: ignore[arg-type]
     return file.getvalue()
 
 
@@ -96,8 +96,8 @@ def _functions(scene: Scene) -> list[Function]:
 def _extremes(scene: Scene) -> str:
     """Return the text on the extremes, which is not part of the hashed text of the scene."""
     words = "\n".join(_table("EXTREMES", map(repr, scene.extremes)))
-    found = extremes(scene)
-    source = f"\n{found.source(scene)}\n" if found.entries else ""
+    function = extremes(scene)
+    source = f"\n{function.source(scene)}\n" if function.entries else ""
     return f"#: Where digits are easily lost, in words.\n{words}\n{source}\n"
 
 
@@ -129,9 +129,9 @@ def _data(scene: Scene) -> Iterator[str]:
 
 def _alone(scene: Scene) -> tuple[str, ...]:
     """Return the methods made for certain scenes only that apply to all motions of a scene."""
-    found = (q for q in expansions.in_order() if hasattr(q, "applies"))
-    each = scene.each_motion
-    return tuple(q.METHOD for q in found if all(q.applies(motion) for motion in each))
+    special = (q for q in expansions.in_order() if hasattr(q, "applies"))
+    motions = scene.each_motion
+    return tuple(q.METHOD for q in special if all(q.applies(motion) for motion in motions))
 
 
 def _table(name: str, rows: Iterable[str]) -> Iterator[str]:
@@ -144,7 +144,7 @@ def _table(name: str, rows: Iterable[str]) -> Iterator[str]:
 
 def _data_of_phases(scene: Scene) -> Iterator[str]:
     """Yield the lines of the constants of a scene's phases."""
-    found, phases = switches(scene), scene.cell
+    cell_switches, phases = switches(scene), scene.cell
     names = [phase.name for phase in phases]
     memory = tuple(
         (q.symbol.name, names.index(q.at), power_of_time(scene, q), q.what)
@@ -154,7 +154,7 @@ def _data_of_phases(scene: Scene) -> Iterator[str]:
     yield f"PHASES = {tuple((p.name, p.held is not None) for p in phases)!r}"
     yield ""
     yield "#: What begins each phase: class, and the first derivative that jumps."
-    yield f"SWITCHES = {tuple((switch.k, switch.derivative) for switch in found)!r}"
+    yield f"SWITCHES = {tuple((switch.k, switch.derivative) for switch in cell_switches)!r}"
     defaults = classes_of(scene, {q.symbol: sp.sympify(q.default) for q in scene.parameters})
     yield f"CLASSES_OF_DEFAULTS = {defaults!r}  # of the default parameters"
     yield ""

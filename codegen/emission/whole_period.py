@@ -49,42 +49,42 @@ def closed_forms() -> Iterator[ClosedForm]:
     by_sine, by_cosine = (
         row.expression for row in hb.orthogonality(of_any_scene(), ()) if row.index is not None
     )
-    what = (
+    doc = (
         "Return the integrals of harmonics j and n: sine with sine, cosine; cosine with those."
     )
     values = (*_products(by_sine), *_products(by_cosine))
-    yield ClosedForm("products", what, (j, n, C, S), values)
-    known = {C[j + n]: above, C[j - n]: own, S[j + n]: 0, S[j - n]: 0}
-    what = "Return `products` where all entries of the tables but C[j + n] and C[j - n] are 0."
-    yield ClosedForm("alone", what, (above, own), tuple(value.subs(known) for value in values))
+    yield ClosedForm("products", doc, (j, n, C, S), values)
+    entries = {C[j + n]: above, C[j - n]: own, S[j + n]: 0, S[j - n]: 0}
+    doc = "Return `products` where all entries of the tables but C[j + n] and C[j - n] are 0."
+    yield ClosedForm("alone", doc, (above, own), tuple(value.subs(entries) for value in values))
     forces = (_of_forcing(by_sine), _of_forcing(by_cosine))
-    what = "Return the integrals of sine and cosine j with the forcing."
-    yield ClosedForm("of_forcing", what, (j, cycles, cosine, sine, C, S), forces)
-    what = "Return the derivatives of sine and cosine by time."
-    yield ClosedForm("by_time", what, (omega, sine, cosine), _by_time())
+    doc = "Return the integrals of sine and cosine j with the forcing."
+    yield ClosedForm("of_forcing", doc, (j, cycles, cosine, sine, C, S), forces)
+    doc = "Return the derivatives of sine and cosine by time."
+    yield ClosedForm("by_time", doc, (omega, sine, cosine), _by_time())
     for name, sign in (("in_the_middle", 1), ("in_the_middle_mirrored", -1)):
         middle = sp.Rational(1, 2)
         values = tuple(beta(q, middle, sign) for q in range(LAST + 1))
         words = "itself" if sign == 1 else "with the opposite sign"
-        what = f"Return beta_0, beta_1, ... at u = 1/2, for a motion that repeats {words}."
-        yield ClosedForm(name, what, (), values)
+        doc = f"Return beta_0, beta_1, ... at u = 1/2, for a motion that repeats {words}."
+        yield ClosedForm(name, doc, (), values)
     series = sp.IndexedBase("series")
     parts = weights(integrated(lambda q: series[q], l), {series[l - 1], series[l + 1]})
-    what = "Return the factors of f_(l-1), f_(l+1) in coefficient l of the integral of f."
-    yield ClosedForm("integral", what, (l,), (parts[series[l - 1]], parts[series[l + 1]]))
+    doc = "Return the factors of f_(l-1), f_(l+1) in coefficient l of the integral of f."
+    yield ClosedForm("integral", doc, (l,), (parts[series[l - 1]], parts[series[l + 1]]))
 
 
 def _products(row: sp.Expr) -> tuple[sp.Expr, ...]:
     """Return the coefficients of a_n and b_n in a row, for the term in the displacement."""
     (sum_,) = row.atoms(sp.Sum)
-    found = weights(sum_.function, {a[n], b[n]})
-    return tuple(_with_tables(found[unknown], "k") for unknown in (a[n], b[n]))
+    coefficients = weights(sum_.function, {a[n], b[n]})
+    return tuple(_with_tables(coefficients[unknown], "k") for unknown in (a[n], b[n]))
 
 
 def _of_forcing(row: sp.Expr) -> sp.Expr:
     """Return the part of the forcing in a row."""
-    known = {sp.cos(phi): cosine, sp.sin(phi): sine}
-    return -_with_tables(sp.expand(row.subs(known)), "g")
+    waves = {sp.cos(phi): cosine, sp.sin(phi): sine}
+    return -_with_tables(sp.expand(row.subs(waves)), "g")
 
 
 def _with_tables(expression: sp.Expr, name: str) -> sp.Expr:
@@ -104,9 +104,9 @@ def _by_time() -> tuple[sp.Expr, sp.Expr]:
     harmonics = of_any_scene()
     (sum_,) = hb.series(harmonics, time, 1).atoms(sp.Sum)
     number = harmonics.times.harmonic(n) * harmonics.omega_0
-    known = {sp.sin(number * time): sine, sp.cos(number * time): cosine, number: omega}
-    found = weights(sum_.function.subs(known), {a[n], b[n]})
-    return found[a[n]], found[b[n]]
+    waves = {sp.sin(number * time): sine, sp.cos(number * time): cosine, number: omega}
+    coefficients = weights(sum_.function.subs(waves), {a[n], b[n]})
+    return coefficients[a[n]], coefficients[b[n]]
 
 
 def module_source() -> str:

@@ -18,12 +18,12 @@ q = sp.Function("q")
 def of_the_body(notation: Notation) -> Iterator[Equation]:
     """Yield the equation of motion of the body, and the displacement of each contact."""
     scene, contacts = notation.scene, Contacts(notation.scene)
-    body, each = body_of(scene), range(len(contacts.each))
-    picks = [contacts.name("b", c) for c in each]
+    body, indices = body_of(scene), range(len(contacts.each))
+    picks = [contacts.name("b", c) for c in indices]
     M, C, K, p = sp.symbols("M C K p", commutative=False)
     damped = body.C is not None or body.ratio is not None
     left = M * q(t).diff(t, 2) + K * q(t) + (C * q(t).diff(t) if damped else 0)
-    right = sp.Add(*(sp.Symbol(picks[c]) * notation.force(c, t) for c in each))
+    right = sp.Add(*(sp.Symbol(picks[c]) * notation.force(c, t) for c in indices))
     if scene.frequency is not None:
         right += p * notation.times.forcing(t)
     words = f"the body, of {body.size} degrees of freedom"
@@ -49,9 +49,9 @@ def laws_of(notation: Notation, p: int) -> Iterator[Equation]:
 def returning(notation: Notation, p: int) -> Equation:
     """Return the law that is solved for a contact held in phase `p`, which returns to it."""
     phase = notation.scene.phases[p]
-    back = state(2, t) + RATE * (state(1, t) - sp.sympify(phase.held))
+    law = state(2, t) + RATE * (state(1, t) - sp.sympify(phase.held))
     words = f"law that is solved in {phase.name}: the same from that velocity on"
-    return Equation("", words, (back, sp.Integer(0)), notation.during(p))
+    return Equation("", words, (law, sp.Integer(0)), notation.during(p))
 
 
 def rate(notation: Notation) -> Iterator[Equation]:

@@ -57,14 +57,14 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     family = next((q for q in (Forces, Fourier, Polynomial) if q.fits(conditions)), None)
     if family is None:
         raise ValueError(f"{conditions.method}: its unknowns are of no family that is known")
-    own = family(conditions)
+    writer = family(conditions)
     return GalerkinSystem(
         method=spelled(conditions.method.partition(",")[0], conditions.scene),
-        section=own.section,
+        section=writer.section,
         title=_title(conditions, class_of(conditions.scene)),
         unknowns="; ".join(f"{q}: {what}" for q, what in unknowns(conditions)).replace("`", ""),
-        equations=(*own.equations(), *_times(own.notation)),
-        jacobian=tuple(own.jacobian()),
+        equations=(*writer.equations(), *_times(writer.notation)),
+        jacobian=tuple(writer.jacobian()),
     )
 
 
@@ -86,8 +86,8 @@ def spelled(method: str, scene: Scene) -> str:
     ('c0-tau', 'hb-ck')
     """
     name = method.replace("ck", f"c{class_of(scene)}")
-    others = (q for q in in_order() if q.METHOD == name != method)
-    return method if any(applies(q, scene) for q in others) else name
+    namesakes = (q for q in in_order() if q.METHOD == name != method)
+    return method if any(applies(q, scene) for q in namesakes) else name
 
 
 def _title(conditions: GalerkinConditions, k: int) -> str:

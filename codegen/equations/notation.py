@@ -94,10 +94,10 @@ class Notation:
         """Return an expression in the times of the switches and ``omega_0``."""
         durations = {s: self.at(p + 1) - self.at(p) for p, s in enumerate(self.times.durations)}
         moved = expression.subs(durations, simultaneous=True)
-        turns = self.times.sign + 1 or 1
+        half_turns = self.times.sign + 1 or 1
         return moved.replace(
             lambda part: part.is_Mul and part.has(sp.pi) and part.has(1 / self.cell),
-            lambda part: self._in_frequency(part, turns),
+            lambda part: self._in_frequency(part, half_turns),
         )
 
     def _in_frequency(self, product: sp.Expr, turns: int) -> sp.Expr:

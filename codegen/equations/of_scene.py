@@ -152,5 +152,5 @@ def marked(scene: Scene, words: str) -> str:
 def _required(expression: sp.Expr) -> sp.Expr:
     """Return ``expression >= 0`` with its negative terms on the other side."""
     terms = sp.Add.make_args(sp.expand(expression))
-    less = sp.Add(*(-q for q in terms if q.could_extract_minus_sign()))
-    return sp.Le(less, expression + less, evaluate=False)
+    negated = sp.Add(*(-q for q in terms if q.could_extract_minus_sign()))
+    return sp.Le(negated, expression + negated, evaluate=False)

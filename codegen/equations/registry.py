@@ -67,14 +67,14 @@ def sections(
     ValueError
         If a name is unknown.
     """
-    found = scene_named(scene)
+    shown = scene_named(scene)
     if phases is not None:
-        found = in_order(found, phases)
+        shown = in_order(shown, phases)
     elif motion is not None:
-        found = _motion_named(found, motion)
+        shown = _motion_named(shown, motion)
     listed = tuple(names)
     return [
-        section for part in found.each_motion for section in _of_motion(part, listed, functions)
+        section for part in shown.each_motion for section in _of_motion(part, listed, functions)
     ]
 
 
@@ -122,8 +122,8 @@ def scene_named(scene: str | Scene) -> Scene:
 def _motion_named(scene: Scene, motion: str) -> Scene:
     """Return one motion of a scene as a scene; a `ValueError` if it has none of this name."""
     if motion not in scene.motions:
-        known = list(scene.motions)
-        expected = one_of(motion, known) if known else f"none: {scene.name} has only one"
+        names = list(scene.motions)
+        expected = one_of(motion, names) if names else f"none: {scene.name} has only one"
         raise ValueError(f"motion: got {motion!r}, expected {expected}")
     return scene.of_motion(motion)
 
@@ -138,28 +138,28 @@ def conditions(scene: Scene, method: str, functions: int | None = None) -> Galer
     """Return the conditions of a scene in an expansion; see `nonsmooth.codegen.derive`."""
     expansion = _expansion(scene, method)
     derive = expansion.derive if scene.body is None else expansion.of_body
-    found: GalerkinConditions
+    record: GalerkinConditions
     if not hasattr(expansion, "FUNCTIONS"):
         if functions is not None:
             raise ValueError(f"functions: got {functions}, {method} has none with a break")
-        found = derive(scene)
-        return found
+        record = derive(scene)
+        return record
     if functions is None:
         functions = 2 if class_of(scene) == 0 else 1
     if not isinstance(functions, int) or functions < 1:
         raise ValueError(f"functions: got {functions!r}, expected a whole number from 1")
-    found = derive(scene, functions)
-    return found
+    record = derive(scene, functions)
+    return record
 
 
 def _expansion(scene: Scene, method: str) -> ModuleType:
     """Return the module of a method, by its generic name or that with the class."""
-    known = methods(scene)
-    for name, module in known.items():
+    modules = methods(scene)
+    for name, module in modules.items():
         if method in (name, spelled(name, scene)):
             return module
-    names = [*dict.fromkeys(q for name in known for q in (name, spelled(name, scene)))]
-    of = f"{scene.name} is C{class_of(scene)}"
+    names = [*dict.fromkeys(q for name in modules for q in (name, spelled(name, scene)))]
+    reason = f"{scene.name} is C{class_of(scene)}"
     if scene.body is not None:
-        of = "of a body the contact forces are expanded, not the coordinates"
-    raise ValueError(f"method: got {method!r}, expected {one_of(method, names)} ({of})")
+        reason = "of a body the contact forces are expanded, not the coordinates"
+    raise ValueError(f"method: got {method!r}, expected {one_of(method, names)} ({reason})")

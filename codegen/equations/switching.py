@@ -78,9 +78,9 @@ def _size(notation: Notation, p: int, order: int) -> sp.Expr:
     after = generator(right, frequency, memory=memory) ** order
     before = generator(left, frequency, sign, memory) ** order
     size = ((after - before).row(0) * y)[0]
-    known = [(sp.Matrix([row]) * y)[0] for row in known_rows(scene, left, right, sign)]
+    vanishing = [(sp.Matrix([row]) * y)[0] for row in known_rows(scene, left, right, sign)]
     values: dict[sp.Symbol, sp.Expr] = {}
-    for zero in known:
+    for zero in vanishing:
         zero = sp.expand(zero.subs(values))  # noqa: PLW2901
         pivot = next((q for q in (x, v, forcing) if zero.diff(q) != 0), None)
         if pivot is not None:
@@ -88,8 +88,8 @@ def _size(notation: Notation, p: int, order: int) -> sp.Expr:
             values = {q: e.subs(solved) for q, e in values.items()} | solved
     time = notation.at(p)
     waves = {turning: sp.sin(notation.times.angle(time))}
-    found = sp.factor(sp.expand(size.subs(values, simultaneous=True)))
-    return at_state(notation, found, time).subs(waves)
+    difference = sp.factor(sp.expand(size.subs(values, simultaneous=True)))
+    return at_state(notation, difference, time).subs(waves)
 
 
 def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Expr, ...]]]:
@@ -105,9 +105,9 @@ def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Ex
     if frequency is not None:
         values[saltation.turning] = -frequency * sp.sin(angle)
     matrix = notation.saltations[p].subs(values, simultaneous=True)
-    known = [*PERTURBATIONS, *_of_memory(notation)]
-    for (name, perturbation), row in zip(known, matrix.tolist(), strict=True):
-        terms = (entry * q(sides["-"]) for entry, (_, q) in zip(row, known, strict=True))
+    components = [*PERTURBATIONS, *_of_memory(notation)]
+    for (name, perturbation), row in zip(components, matrix.tolist(), strict=True):
+        terms = (entry * q(sides["-"]) for entry, (_, q) in zip(row, components, strict=True))
         yield f"`{perturbation}` of the {name}", (perturbation(sides["+"]), sp.Add(*terms))
 
 
@@ -130,8 +130,8 @@ def at_state(
     """
     values: dict[sp.Expr, sp.Expr] = {forcing: notation.times.forcing(time)}
     if notation.scene.body is None:
-        there = derivative or (lambda order: state(order, time))
-        values |= {x: there(0), v: there(1)}
+        derivative_at = derivative or (lambda order: state(order, time))
+        values |= {x: derivative_at(0), v: derivative_at(1)}
     else:
         for c, contact in enumerate(notation.scene.body.at.values()):
             for order, symbol in enumerate((contact.x, contact.v, contact.a)):
@@ -157,11 +157,11 @@ def balanced(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr, bool]:
     moving = [q for q in terms if q.has(Rate, sp.Abs) or q.has(sp.core.function.AppliedUndef)]
     moving = moving or [q for q in terms if q.has(sp.cos)]
     left = sp.Add(*moving)
-    rest = sp.factor_terms(expression.expand(deep=False) - left) if moving else expression
-    if rest.has(Rate, sp.Abs, sp.core.function.AppliedUndef):  # spelled in two ways
-        rest = sp.factor_terms(sp.expand_mul(expression) - left)
+    remainder = sp.factor_terms(expression.expand(deep=False) - left) if moving else expression
+    if remainder.has(Rate, sp.Abs, sp.core.function.AppliedUndef):  # spelled in two ways
+        remainder = sp.factor_terms(sp.expand_mul(expression) - left)
     turned = all(q.could_extract_minus_sign() for q in moving)
-    return (-left, rest, True) if turned else (left, -rest, False)
+    return (-left, remainder, True) if turned else (left, -remainder, False)
 
 
 def not_negative(expression: sp.Expr) -> sp.Expr:

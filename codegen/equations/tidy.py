@@ -32,24 +32,24 @@ def by_unknown(
     spelling : callable
         Applied to each factor before that.
     """
-    known = frozenset(parameters)
-    whole: list[sp.Expr] = []
+    symbols = frozenset(parameters)
+    plain: list[sp.Expr] = []
     sums: dict[tuple[sp.Expr, ...], list[sp.Expr]] = {}
     for term in terms(condition, blocks):
         factor = spelling(term.coefficient)
         if term.over is None:
-            whole.append(_product(term, term.index, factor, known))
+            plain.append(_product(term, term.index, factor, symbols))
             continue
         factor = sp.expand(factor)
         alone = {} if condition.index is None else {term.over[0]: condition.index}
         single = factor.coeff(SAME).subs(alone)
         if single != 0:
-            whole.append(_product(term, term.index.subs(alone), single, known))
-        rest = _product(term, term.index, factor.coeff(SAME, 0), known)
-        sums.setdefault(term.over, []).append(rest)
-    inside = {over: sp.Add(*parts) for over, parts in sums.items()}
-    parts = (sp.Sum(total, over) for over, total in inside.items() if total != 0)
-    return sp.Add(*whole, *parts)
+            plain.append(_product(term, term.index.subs(alone), single, symbols))
+        summand = _product(term, term.index, factor.coeff(SAME, 0), symbols)
+        sums.setdefault(term.over, []).append(summand)
+    summands = {over: sp.Add(*parts) for over, parts in sums.items()}
+    parts = (sp.Sum(total, over) for over, total in summands.items() if total != 0)
+    return sp.Add(*plain, *parts)
 
 
 def _product(
@@ -80,8 +80,8 @@ def neat(
         numbers[key] = numbers.get(key, sp.Integer(0)) + number
     like: dict[tuple[sp.Expr, sp.Expr], sp.Expr] = {}
     for (quantity, other), number in numbers.items():
-        sign, rest = _signed(sp.factor(number))
-        like[rest, other] = like.get((rest, other), sp.Integer(0)) + sign * quantity
+        sign, magnitude = _signed(sp.factor(number))
+        like[magnitude, other] = like.get((magnitude, other), sp.Integer(0)) + sign * quantity
     return _multiplied(unknown, _entries_together(like))
 
 
@@ -91,32 +91,32 @@ Product = tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]
 
 def _entries_together(like: Mapping[tuple[sp.Expr, sp.Expr], sp.Expr]) -> list[Product]:
     """Return products in which entries of tables with the same factor are added."""
-    found: dict[tuple[sp.Expr, sp.Expr, sp.Expr], sp.Expr] = {}
-    for (rest, other), quantity in like.items():
+    collected: dict[tuple[sp.Expr, sp.Expr, sp.Expr], sp.Expr] = {}
+    for (magnitude, other), quantity in like.items():
         parts = sp.Mul.make_args(other)
         entry = sp.Mul(*(part for part in parts if isinstance(part, sp.Indexed)))
         alone = sp.Mul(*(part for part in parts if not isinstance(part, sp.Indexed)))
         sign, plain = _signed(sp.factor_terms(quantity)) if entry != 1 else (1, quantity)
-        key = rest, alone, plain
-        found[key] = found.get(key, sp.Integer(0)) + sign * entry
-    return [(*key, entries) for key, entries in found.items()]
+        key = magnitude, alone, plain
+        collected[key] = collected.get(key, sp.Integer(0)) + sign * entry
+    return [(*key, entries) for key, entries in collected.items()]
 
 
 def _multiplied(unknown: sp.Expr, products: Sequence[Product]) -> sp.Expr:
     """Return an unknown times a sum of products, with a common factor if that is shorter."""
     if len(products) == 1:
-        rest, other, quantity, entries = products[0]
-        return positive(sp.Mul(unknown, rest, other, _factored(quantity), entries))
+        magnitude, other, quantity, entries = products[0]
+        return positive(sp.Mul(unknown, magnitude, other, _factored(quantity), entries))
     parts = (
-        positive(sp.Mul(rest, other, _factored(quantity), entries))
-        for rest, other, quantity, entries in products
+        positive(sp.Mul(magnitude, other, _factored(quantity), entries))
+        for magnitude, other, quantity, entries in products
     )
     total = sp.Add(*parts)
-    whole = sp.factor_terms(total)
-    if _divided(whole) and any(map(_divided, _brackets(whole))):
-        whole = sp.together(total)  # no fraction within a fraction
-    shorter = len(str(whole)) <= len(str(total)) or _divided(whole)
-    return positive(sp.Mul(unknown, *sp.Mul.make_args(whole if shorter else total)))
+    factored = sp.factor_terms(total)
+    if _divided(factored) and any(map(_divided, _brackets(factored))):
+        factored = sp.together(total)  # no fraction within a fraction
+    shorter = len(str(factored)) <= len(str(total)) or _divided(factored)
+    return positive(sp.Mul(unknown, *sp.Mul.make_args(factored if shorter else total)))
 
 
 def _brackets(product: sp.Expr) -> Iterator[sp.Expr]:
@@ -174,8 +174,8 @@ def positive(product: sp.Expr) -> sp.Expr:
 
 def _negative(total: sp.Add) -> sp.Rational:
     """Return the fraction of the terms of a sum that have a minus sign."""
-    less = sum(term.could_extract_minus_sign() for term in total.args)
-    return sp.Rational(less, len(total.args))
+    count = sum(term.could_extract_minus_sign() for term in total.args)
+    return sp.Rational(count, len(total.args))
 
 
 def _turned(total: sp.Add) -> sp.Add:

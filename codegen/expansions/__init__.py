@@ -47,14 +47,14 @@ class About:
 @cache
 def modules() -> Mapping[str, ModuleType]:
     """Return the files of the folder by the names of their modules."""
-    found = (entry.name for entry in pkgutil.iter_modules(__path__))
-    return {name: importlib.import_module(f"{__name__}.{name}") for name in found}
+    names = (entry.name for entry in pkgutil.iter_modules(__path__))
+    return {name: importlib.import_module(f"{__name__}.{name}") for name in names}
 
 
 def about(module: ModuleType) -> About:
     """Return what an expansion says of itself, or what holds for one that says nothing."""
-    found: About = getattr(module, "ABOUT", About())
-    return found
+    stated: About = getattr(module, "ABOUT", About())
+    return stated
 
 
 def in_order() -> list[ModuleType]:
@@ -64,8 +64,8 @@ def in_order() -> list[ModuleType]:
 
 def kernel_name(module: ModuleType) -> str:
     """Return the name of the kernel of an expansion."""
-    own = module.__name__.rpartition(".")[2]
-    return str(getattr(module, "KERNEL", own))
+    name = module.__name__.rpartition(".")[2]
+    return str(getattr(module, "KERNEL", name))
 
 
 def applies(module: ModuleType, scene: Scene) -> bool:

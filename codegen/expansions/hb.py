@@ -99,26 +99,26 @@ def impacts(
 
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene in this expansion."""
-    times, found, harmonics = Times.of(scene), switches(scene), Harmonics.of(scene)
+    times, cell_switches, harmonics = Times.of(scene), switches(scene), Harmonics.of(scene)
 
     def end(p: int, order: int) -> sp.Expr:
-        after = (p + 1) % len(found)
+        after = (p + 1) % len(cell_switches)
         sign = scene.sign if after == 0 else 1
         mean = series(harmonics, times.start(p + 1), order)
-        return mean - sign * jump(found, after) / 2 if order == 1 else mean
+        return mean - sign * jump(cell_switches, after) / 2 if order == 1 else mean
 
     def start(p: int, order: int) -> sp.Expr:
         mean = series(harmonics, times.start(p), order)
-        return mean + jump(found, p) / 2 if order == 1 else mean
+        return mean + jump(cell_switches, p) / 2 if order == 1 else mean
 
     conditions = (
-        *orthogonality(harmonics, found),
-        *impacts(scene, harmonics, found),
+        *orthogonality(harmonics, cell_switches),
+        *impacts(scene, harmonics, cell_switches),
         *closure.events(scene, times, end),
         *closure.memory(scene, times, start),
         *closure.period(times),
     )
-    blocks = tuple(_blocks(scene, found))
+    blocks = tuple(_blocks(scene, cell_switches))
     return GalerkinConditions(scene, METHOD, TITLE, blocks, times, conditions)
 
 

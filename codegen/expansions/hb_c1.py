@@ -79,11 +79,11 @@ def orthogonality(scene: Scene, harmonics: Harmonics) -> Iterator[Condition]:
         yield replace(condition, expression=condition.expression + c1 * table[index])
     waves = sp.Sum(a[n] * BY_SINE[n] + b[n] * BY_COSINE[n], (n, 1, N))
     _, free = equations(scene)
-    own = c1 * by_itself(free, harmonics.times) - force_by(free, harmonics.times)
+    by_function = c1 * by_itself(free, harmonics.times) - force_by(free, harmonics.times)
     yield Condition(
         "by_function",
         "residual, orthogonal to the function itself",
-        a0 / 2 * BY_COSINE[0] + waves + own,
+        a0 / 2 * BY_COSINE[0] + waves + by_function,
         number="14",
     )
 

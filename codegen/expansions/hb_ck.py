@@ -53,8 +53,8 @@ class Expansion:
 
     def orders(self, p: int) -> range:
         """Return the n of the functions ``beta_n`` with a break at switch `p`."""
-        first = self.switches[p].k + 2
-        return range(first, first + self.functions)
+        lowest = self.switches[p].k + 2
+        return range(lowest, lowest + self.functions)
 
     def unknown(self, p: int, n: int) -> sp.Symbol:
         """Return the coefficient of ``beta_n`` of switch `p`."""
@@ -88,12 +88,12 @@ class Expansion:
 def orthogonality(e: Expansion) -> Iterator[Condition]:
     """Yield (5), (6), (7) with the functions beside the series."""
     for condition in hb.orthogonality(e.harmonics, ()):
-        extra = sp.Integer(0)
+        by_functions = sp.Integer(0)
         for p, n, c in e.all():
             wave = "sin" if condition.name == "by_sine" else "cos"
             index = sp.Integer(0) if condition.index is None else j
-            extra += c * e.integrals(p, n, wave)[index]
-        yield replace(condition, expression=condition.expression + extra)
+            by_functions += c * e.integrals(p, n, wave)[index]
+        yield replace(condition, expression=condition.expression + by_functions)
 
 
 def jumps(e: Expansion) -> Iterator[Condition]:

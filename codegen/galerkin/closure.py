@@ -22,13 +22,13 @@ START = "start"
 def one_sum(expression: sp.Expr) -> sp.Expr:
     """Return an expression in which sums over the same index are one sum."""
     expression = sp.expand_mul(expression)
-    inside: dict[tuple[sp.Expr, ...], sp.Expr] = {}
+    summands: dict[tuple[sp.Expr, ...], sp.Expr] = {}
     for part in sorted(expression.atoms(sp.Sum), key=sp.default_sort_key):
         weight = expression.coeff(part)
         expression -= weight * part
         limits = part.limits
-        inside[limits] = inside.get(limits, sp.Integer(0)) + weight * part.function
-    sums = (sp.Sum(f, *limits) for limits, f in inside.items() if sp.expand_mul(f) != 0)
+        summands[limits] = summands.get(limits, sp.Integer(0)) + weight * part.function
+    sums = (sp.Sum(f, *limits) for limits, f in summands.items() if sp.expand_mul(f) != 0)
     return sp.Add(sp.expand_mul(expression), *sums)
 
 

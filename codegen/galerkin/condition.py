@@ -62,8 +62,8 @@ class Times:
     @property
     def forced_cell(self) -> sp.Expr:
         """The duration of a forced cell by the frequency of the forcing."""
-        turns = sp.pi if self.sign == -1 else 2 * sp.pi
-        return turns * cycles / self.frequency
+        turn = sp.pi if self.sign == -1 else 2 * sp.pi
+        return turn * cycles / self.frequency
 
     def harmonic(self, index: sp.Expr) -> sp.Expr:
         """Return the number of a harmonic by its index: odd if ``x(t + T/2) = -x(t)``."""

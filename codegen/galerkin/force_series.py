@@ -55,24 +55,24 @@ def formulas() -> Iterator[Formula]:
     (grown - 1)/kappa
     """
     u = sp.Symbol("u")
-    zero = sp.integrate(sp.exp(kappa * u), (u, 0, 1), conds="none")
-    zero = sp.piecewise_fold(zero).args[0][0] if zero.has(sp.Piecewise) else zero
-    zero = sp.factor(zero).subs(sp.exp(kappa), grown)
-    yield Formula("moment_0", (kappa, grown), "``a_0`` by ``e^kappa``", zero)
+    a_0 = sp.integrate(sp.exp(kappa * u), (u, 0, 1), conds="none")
+    a_0 = sp.piecewise_fold(a_0).args[0][0] if a_0.has(sp.Piecewise) else a_0
+    a_0 = sp.factor(a_0).subs(sp.exp(kappa), grown)
+    yield Formula("moment_0", (kappa, grown), "``a_0`` by ``e^kappa``", a_0)
     # (2 u - 1) e^(kappa u) by parts: its ends less what differentiating leaves
-    first = (grown + 1 - 2 * here) / kappa
-    yield Formula("moment_1", (kappa, grown, here), "``a_1`` from ``a_0``", first)
+    a_1 = (grown + 1 - 2 * here) / kappa
+    yield Formula("moment_1", (kappa, grown, here), "``a_1`` from ``a_0``", a_1)
     unknown = sp.Symbol("unknown")
     by_parts = 2 * (2 * m + 1) * here + kappa * (unknown - before)
-    (up,) = sp.solve(by_parts, unknown)
+    (next_moment,) = sp.solve(by_parts, unknown)
     words = "``a_(m+1)`` from ``a_(m-1)`` and ``a_m``, by 1/kappa"
-    value = before + sp.factor(up - before).subs(kappa, 1 / inverse)
+    value = before + sp.factor(next_moment - before).subs(kappa, 1 / inverse)
     yield Formula("next_moment", (m, inverse, before, here), words, value)
     rate = (here + _shifted(m, before, after)) / 2
     words = "the derivative of ``a_m`` by kappa, from its neighbours"
     yield Formula("moment_rate", (m, before, here, after), words, rate)
     yield from _answers()
-    yield from _weighted(up)
+    yield from _weighted(next_moment)
     sides = sp.symbols("left right")
     rate = (_shifted(m, *sides) - _shifted(n, before, after)) / 2
     words = "the derivative of ``Z_mn`` by kappa, from neighbours in m (left, right) and in n"
@@ -86,14 +86,14 @@ def _answers() -> Iterator[Formula]:
     words = "``b_1`` from ``b_0``"
     yield Formula("answer_1", (kappa, here), words, (2 * here - 1) / kappa)
     words = "``b_(n+1)`` from ``b_(n-1)`` and ``b_n``, by 1/kappa"
-    up = before + 2 * (2 * n + 1) * here * inverse
-    yield Formula("next_answer", (n, inverse, before, here), words, up)
+    next_answer = before + 2 * (2 * n + 1) * here * inverse
+    yield Formula("next_answer", (n, inverse, before, here), words, next_answer)
     words = "``Z_00`` from ``a_0`` and ``a_1``"
     yield Formula("response_0", (here, after), words, (here - after) / 2)
     # 2 (2 n + 1) Z_nn = kappa (Z_n(n+1) - Z_n(n-1)) by parts, and Z_n(n+1) = - Z_(n+1)n
     words = "``Z_nn`` from ``Z_n(n-1)`` and ``Z_(n+1)n``, n > 0"
-    same = -kappa * (before + after) / (2 * (2 * n + 1))
-    yield Formula("same_response", (n, kappa, before, after), words, same)
+    diagonal = -kappa * (before + after) / (2 * (2 * n + 1))
+    yield Formula("same_response", (n, kappa, before, after), words, diagonal)
 
 
 def _weighted(up: sp.Expr) -> Iterator[Formula]:
@@ -115,8 +115,8 @@ def _weighted(up: sp.Expr) -> Iterator[Formula]:
     upward = here + weight.subs(m, n) * weight.subs(m, n - 1) * before
     yield Formula("weighted_answer", (n, kappa, before, here), words, upward)
     words = "``Z_(n+1)n`` over ``A_(n+1) B_n``"
-    first = weight.subs(m, n + 1) / ((2 * n + 1) * kappa)
-    yield Formula("weighted_response", (n,), words, sp.factor(first))
+    response = weight.subs(m, n + 1) / ((2 * n + 1) * kappa)
+    yield Formula("weighted_response", (n,), words, sp.factor(response))
 
 
 def _shifted(m: sp.Expr, before: sp.Expr, after: sp.Expr) -> sp.Expr:

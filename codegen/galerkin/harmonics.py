@@ -31,10 +31,10 @@ def equations(scene: Scene, memory: tuple[sp.Symbol, ...] = ()) -> tuple[LinearP
     given are part of the constant force.
     """
     free = [linear_phase(phase, memory) for phase in scene.cell if phase.held is None]
-    none = sp.Integer(0)
-    rest = LinearPhase(free[0].m, none, none, none, none, (none,) * len(memory))
+    zero = sp.Integer(0)
+    held = LinearPhase(free[0].m, zero, zero, zero, zero, (zero,) * len(memory))
     return tuple(
-        rest if phase.held is not None else linear_phase(phase, memory) for phase in scene.cell
+        held if phase.held is not None else linear_phase(phase, memory) for phase in scene.cell
     )
 
 

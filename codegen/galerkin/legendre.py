@@ -43,26 +43,26 @@ def repeated_integral(l: sp.Expr, times: int) -> dict[sp.Expr, sp.Expr]:
     """Return the repeated integral of ``P_l*`` from 0, as weights of Legendre polynomials."""
     series: dict[sp.Expr, sp.Expr] = {l: sp.Integer(1)}
     for _ in range(times):
-        result: dict[sp.Expr, sp.Expr] = {}
+        integral: dict[sp.Expr, sp.Expr] = {}
         for degree, weight in series.items():
             half = weight / (2 * (2 * degree + 1))
-            sign, below = (-1, degree - 1) if degree != 0 else (1, sp.Integer(0))
-            for index, part in ((degree + 1, half), (below, sign * half)):
-                result[index] = sp.factor(result.get(index, sp.Integer(0)) + part)
-        series = result
+            sign, lower = (-1, degree - 1) if degree != 0 else (1, sp.Integer(0))
+            for index, part in ((degree + 1, half), (lower, sign * half)):
+                integral[index] = sp.factor(integral.get(index, sp.Integer(0)) + part)
+        series = integral
     return series
 
 
 def in_legendre(polynomial: sp.Expr, u: sp.Symbol) -> tuple[sp.Expr, ...]:
     """Return the coefficients of a polynomial in shifted Legendre polynomials, by degree."""
-    rest = sp.Poly(polynomial, u)
-    found = []
-    for l in reversed(range(len(rest.all_coeffs()))):
+    remainder = sp.Poly(polynomial, u)
+    coefficients = []
+    for l in reversed(range(len(remainder.all_coeffs()))):
         shifted = sp.Poly(sp.expand(sp.legendre(l, 2 * u - 1)), u)
-        coefficient = rest.coeff_monomial(u**l) / shifted.coeff_monomial(u**l)
-        rest = rest - shifted * coefficient
-        found.append(sp.expand(coefficient))
-    return tuple(reversed(found))
+        coefficient = remainder.coeff_monomial(u**l) / shifted.coeff_monomial(u**l)
+        remainder = remainder - shifted * coefficient
+        coefficients.append(sp.expand(coefficient))
+    return tuple(reversed(coefficients))
 
 
 @dataclass(frozen=True)
@@ -160,6 +160,6 @@ class Moments:
     def rate(self, time: sp.Symbol) -> sp.Expr:
         """Return the derivative of ``mu_l`` by a time that `kappa` and `theta` depend on."""
         turned = self.turned
-        near = (l + 1) * turned[l + 1] + l * turned[l - 1]
-        stretch = (turned[l] + near / (2 * l + 1)) / 2
+        neighbours = (l + 1) * turned[l + 1] + l * turned[l - 1]
+        stretch = (turned[l] + neighbours / (2 * l + 1)) / 2
         return sp.diff(self.kappa, time) * stretch + sp.diff(self.theta, time) * turned[l]

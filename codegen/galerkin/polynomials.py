@@ -129,16 +129,16 @@ def orthogonality(
     """Yield the conditions that the residual of a phase is orthogonal to all tests."""
     equation = linear_phase(phase)
     rows = rows_of(q, switch)
-    left = rest_of(phase, switch, test) if rest else ()
+    taus = rest_of(phase, switch, test) if rest else ()
 
     def row(index: sp.Expr, first: int = 0) -> sp.Expr:
         residual = q.residual(equation, index, of_forcing(phase)[index])
         if rest is None:
             return residual
-        unseen = (tau * rest(rows + i, index, switch.k) for i, tau in enumerate(left))
+        unseen = (tau * rest(rows + i, index, switch.k) for i, tau in enumerate(taus))
         return residual - equation.m * sp.Add(*islice(unseen, first, None))
 
-    part = "less what no test sees, degree" if left else "orthogonal to its test function"
+    part = "less what no test sees, degree" if taus else "orthogonal to its test function"
     title = f"residual of {phase.name}, {part}"
     for index in range(STATE):
         yield Condition(f"{phase.name}_by_{index}", f"{title} {index}", row(sp.Integer(index)))
@@ -150,7 +150,7 @@ def orthogonality(
         first=sp.Integer(STATE),
         count=rows - STATE,
     )
-    for i in range(len(left)):
+    for i in range(len(taus)):
         yield Condition(f"{phase.name}_rest_{i}", f"{title} {rows + i}", row(rows + i, i))
 
 
@@ -191,13 +191,13 @@ def derive(
     ValueError
         If `rest` is not orthogonal to the tests; see `check_rest`.
     """
-    times, found = Times.of(scene), switches(scene)
-    for switch in found:
+    times, cell_switches = Times.of(scene), switches(scene)
+    for switch in cell_switches:
         check_rest(test, rest, switch.k)
-    trial = series(scene, times, found)
+    trial = series(scene, times, cell_switches)
     rows = [
         condition
-        for phase, q, switch in zip(scene.cell, trial, found, strict=True)
+        for phase, q, switch in zip(scene.cell, trial, cell_switches, strict=True)
         if phase.held is None
         for condition in orthogonality(phase, q, switch, test, rest)
     ]
@@ -208,16 +208,16 @@ def derive(
     def end(p: int, order: int) -> sp.Expr:
         return trial[p].at_end(order)
 
-    free = [p for p in zip(scene.phases, found, strict=True) if p[0].held is None]
-    left = {phase.name: rest_of(phase, switch, test) for phase, switch in free if rest}
-    joined = closure.joints(scene, found, start, end)
+    free = [p for p in zip(scene.phases, cell_switches, strict=True) if p[0].held is None]
+    taus = {phase.name: rest_of(phase, switch, test) for phase, switch in free if rest}
+    joined = closure.joints(scene, cell_switches, start, end)
     events = _events(scene, times, start, end, symmetric=rest is None)
     memory = closure.memory(scene, times, start)
     return GalerkinConditions(
         scene,
         method,
         title,
-        (*blocks(scene, trial, left), *closure.memory_blocks(scene)),
+        (*blocks(scene, trial, taus), *closure.memory_blocks(scene)),
         times,
         (*rows, *joined, *events, *memory, *closure.period(times)),
     )

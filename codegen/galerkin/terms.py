@@ -41,16 +41,16 @@ def terms(condition: Condition, blocks: Sequence[Block]) -> list[Term]:
     expression = condition.expression
     if expression.has(sp.Sum):
         expression = sp.expand_mul(expression)
-    found: list[Term] = []
+    sum_terms: list[Term] = []
     for part in sorted(expression.atoms(sp.Sum), key=sp.default_sort_key):
         weight = expression.coeff(part)
         (limits,) = part.limits
         pieces = _by_unknown(condition, weight * sp.expand_mul(part.function), blocks)
-        found += [Term(q.coefficient, q.block, q.index, tuple(limits)) for q in pieces]
+        sum_terms += [Term(q.coefficient, q.block, q.index, tuple(limits)) for q in pieces]
         expression = expression - weight * part
     if expression.has(sp.Sum):
         raise ValueError(f"{condition.name}: not linear in its sums")
-    return found + _by_unknown(condition, expression, blocks)
+    return sum_terms + _by_unknown(condition, expression, blocks)
 
 
 def _by_unknown(
@@ -59,14 +59,14 @@ def _by_unknown(
     """Return the terms of an expression that has no sums."""
     pairs = [(block, q) for block in blocks for q in _unknowns(expression, block)]
     try:
-        found = weights(expression, {unknown for _, unknown in pairs})
+        coefficients = weights(expression, {unknown for _, unknown in pairs})
     except ValueError as error:
         raise ValueError(f"{condition.name}: {error} in the unknowns") from None
     rows = []
     for block, unknown in pairs:
         index = unknown.indices[0] if isinstance(unknown, sp.Indexed) else sp.S.Zero
-        rows.append(Term(factored(found[unknown]), block, index))
-    rows.append(Term(factored(found.get(sp.S.One, sp.S.Zero)), None, sp.S.Zero))
+        rows.append(Term(factored(coefficients[unknown]), block, index))
+    rows.append(Term(factored(coefficients.get(sp.S.One, sp.S.Zero)), None, sp.S.Zero))
     return [term for term in rows if term.coefficient != 0]
 
 
@@ -91,8 +91,8 @@ def _unknowns(expression: sp.Expr, block: Block) -> list[sp.Expr]:
     """Return the unknowns of a block that occur in an expression, in a fixed order."""
     if not isinstance(block.symbol, sp.IndexedBase):
         return [block.symbol] if expression.has(block.symbol) else []
-    there = [q for q in expression.atoms(sp.Indexed) if q.base == block.symbol]
-    return sorted(there, key=lambda q: sp.default_sort_key(q.indices[0]))
+    entries = [q for q in expression.atoms(sp.Indexed) if q.base == block.symbol]
+    return sorted(entries, key=lambda q: sp.default_sort_key(q.indices[0]))
 
 
 def weights(expression: sp.Expr, symbols: Collection[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
@@ -103,11 +103,11 @@ def weights(expression: sp.Expr, symbols: Collection[sp.Expr]) -> dict[sp.Expr, 
     ValueError
         If the expression is not linear in the symbols.
     """
-    found: dict[sp.Expr, list[sp.Expr]] = {}
+    coefficients: dict[sp.Expr, list[sp.Expr]] = {}
     for part in sp.Add.make_args(expression):
         for symbol, weight in _of_product(part, symbols).items():
-            found.setdefault(symbol, []).append(weight)
-    return {symbol: sp.Add(*parts) for symbol, parts in found.items()}
+            coefficients.setdefault(symbol, []).append(weight)
+    return {symbol: sp.Add(*parts) for symbol, parts in coefficients.items()}
 
 
 def _of_product(part: sp.Expr, symbols: Collection[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
@@ -118,9 +118,9 @@ def _of_product(part: sp.Expr, symbols: Collection[sp.Expr]) -> dict[sp.Expr, sp
     if part.is_Mul:
         linear = [q for q in part.args if q.free_symbols.intersection(symbols)]
         if len(linear) == 1:
-            rest = sp.Mul(*(q for q in part.args if q is not linear[0]))
+            factor = sp.Mul(*(q for q in part.args if q is not linear[0]))
             inner = weights(linear[0], symbols)
-            return {symbol: rest * weight for symbol, weight in inner.items()}
+            return {symbol: factor * weight for symbol, weight in inner.items()}
     elif part.is_Add:
         return weights(part, symbols)
     raise ValueError(f"{part}: not linear")

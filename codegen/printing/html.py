@@ -83,10 +83,10 @@ def _prose(title: str) -> str:
 
 def _sides(equation: "Equation") -> str:
     """Return the sides, a block each, in pieces between which the browser may wrap."""
-    first, *others = map(_in_pieces, equation.sides)
-    for side in others:
+    left, *right = map(_in_pieces, equation.sides)
+    for side in right:
         side[0] = f"{{}} = {side[0]}"
-    lines = [first + others[0], *others[1:]] if others else [first]
+    lines = [left + right[0], *right[1:]] if right else [left]
     blocks = ("<wbr>\n".join(map(mathml, line)) for line in lines)
     return "\n".join(f'<div class="side">{block}</div>' for block in blocks)
 
@@ -128,8 +128,8 @@ def _section(section: "Section", seen: Counter[str]) -> str:
 
 def fragment_of(shown: "Iterable[Section]") -> str:
     """Return sections as a fragment of a page."""
-    seen: Counter[str] = Counter()
-    return "\n".join(_section(section, seen) for section in shown)
+    counts: Counter[str] = Counter()
+    return "\n".join(_section(section, counts) for section in shown)
 
 
 def page_of(shown: "Iterable[Section]", title: str) -> str:

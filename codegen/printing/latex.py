@@ -89,35 +89,35 @@ def width(piece: Piece) -> int:
 def _measured(expression: sp.Expr, sign: bool = False) -> prettyForm:
     """Return a drawing in which words in names are as short as small type makes them."""
     names = {str(name): name for name in expression.atoms(sp.Symbol)}
-    short = {
+    shortened = {
         name: sp.Symbol(f"{head}_{word[: len(word) // 2 + 1]}", **name.assumptions0)
         for label, name in names.items()
         for head, word in [with_word(label)]
         if word
     }
-    return drawn(expression.xreplace(short), sign=sign)
+    return drawn(expression.xreplace(shortened), sign=sign)
 
 
 def aligned(equation: "Equation") -> str:
     """Return the mathematics of one equation, a line a side or more."""
-    first, *others = equation.sides
-    if not others:  # a relation by itself
-        return f"\\begin{{aligned}}\n& {latex(first)}\n\\end{{aligned}}"
-    head, widest = _measured(first).width(), max(_measured(side).width() for side in others)
+    left, *right = equation.sides
+    if not right:  # a relation by itself
+        return f"\\begin{{aligned}}\n& {latex(left)}\n\\end{{aligned}}"
+    head, widest = _measured(left).width(), max(_measured(side).width() for side in right)
     narrow = head <= max(LINE // 4, LINE - widest - SIGN)
     # A wide first side has lines to itself; the others stand beside one that leaves them room.
-    rows = [] if narrow else _rows("&", first, LINE)
+    rows = [] if narrow else _rows("&", left, LINE)
     limit = LINE - head if narrow else LINE
-    rows += [row for side in others for row in _rows("&=", side, limit)]
+    rows += [row for side in right for row in _rows("&=", side, limit)]
     if narrow:
-        rows[0] = f"{latex(first)} {rows[0]}"
+        rows[0] = f"{latex(left)} {rows[0]}"
     body = " \\\\\n".join(rows)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
 
 def _rows(begin: str, side: sp.Expr, limit: int) -> list[str]:
-    head, *more = _lines(side, limit)
-    return [f"{begin} {head}", *(rf"&\quad {line}" for line in more)]
+    head, *continued = _lines(side, limit)
+    return [f"{begin} {head}", *(rf"&\quad {line}" for line in continued)]
 
 
 def displayed(equation: "Equation") -> str:

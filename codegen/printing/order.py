@@ -21,10 +21,10 @@ def terms(total: sp.Expr) -> list[sp.Expr]:
     >>> terms(m - k)
     [mu_s, -mu_k]
     """
-    found = total.as_ordered_terms()
-    if max(map(_derivative, found)) > 1:
-        found = sorted(found, key=_derivative, reverse=True)
-    return led_by_a_plus(found)
+    ordered = total.as_ordered_terms()
+    if max(map(_derivative, ordered)) > 1:
+        ordered = sorted(ordered, key=_derivative, reverse=True)
+    return led_by_a_plus(ordered)
 
 
 def led_by_a_plus(found: list[sp.Expr]) -> list[sp.Expr]:
@@ -63,8 +63,8 @@ def factors(product: sp.Mul) -> sp.Expr:
     >>> factors(sp.sqrt(K) / sp.sqrt(M))
     sqrt(K/M)
     """
-    number, rest = product.as_coeff_Mul()
-    ordered = sorted(_one_root(rest.as_ordered_factors()), key=_rank)
+    number, without_number = product.as_coeff_Mul()
+    ordered = sorted(_one_root(without_number.as_ordered_factors()), key=_rank)
     return sp.Mul(*([] if number == 1 else [number]), *ordered, evaluate=False)
 
 
@@ -79,8 +79,8 @@ def _one_root(found: list[sp.Expr]) -> list[sp.Expr]:
     below = [q for q in found if q.is_Pow and q.exp == -sp.S.Half]
     if not above or not below:
         return found
-    inside = sp.Mul(*(q.base for q in above), *(1 / q.base for q in below))
-    root = sp.Pow(inside, sp.S.Half, evaluate=False)
+    radicand = sp.Mul(*(q.base for q in above), *(1 / q.base for q in below))
+    root = sp.Pow(radicand, sp.S.Half, evaluate=False)
     return [root, *(q for q in found if q not in (*above, *below))]
 
 

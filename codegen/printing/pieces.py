@@ -44,9 +44,9 @@ def _terms(side: sp.Expr) -> list[sp.Expr]:
     """Return the terms in the order shown, those of ``a_1, a_2, ...`` last and by number."""
     if not isinstance(side, sp.Add):
         return [side]
-    found = sorted(terms(side), key=_coefficient)
-    without = [term for term in found if not _coefficient(term)[0]]
-    return [*led_by_a_plus(without), *found[len(without) :]]
+    ordered = sorted(terms(side), key=_coefficient)
+    without = [term for term in ordered if not _coefficient(term)[0]]
+    return [*led_by_a_plus(without), *ordered[len(without) :]]
 
 
 def _coefficient(term: sp.Expr) -> tuple[str, int]:
@@ -122,8 +122,8 @@ def pieces(side: sp.Expr, too_wide: Callable[[sp.Expr], bool]) -> list[Piece]:
     >>> [(str(piece.term), piece.times) for piece in wide]
     [('sin(x)**9*cos(x)', False), ('y + 1', True)]
     """
-    head, *others = _cut(side, too_wide)
-    return [replace(head, first=True), *others]
+    head, *following = _cut(side, too_wide)
+    return [replace(head, first=True), *following]
 
 
 def signed(term: sp.Expr, first: bool) -> tuple[str, sp.Expr]:

@@ -59,9 +59,9 @@ def _opening(before: sp.Expr, unicode: bool) -> Sequence[str | prettyForm]:
 
 def _with_sign(sign: str, first: bool, *parts: str | prettyForm) -> Sequence[str | prettyForm]:
     """Return `parts` behind `sign`; before a fraction it would pass for a part of the bar."""
-    high = isinstance(parts[0], prettyForm) and parts[0].height() > 1
+    tall = isinstance(parts[0], prettyForm) and parts[0].height() > 1
     return (
-        f"{'' if first else ' '}{sign}{' ' if sign and (high or not first) else ''}",
+        f"{'' if first else ' '}{sign}{' ' if sign and (tall or not first) else ''}",
         *parts,
     )
 
@@ -79,8 +79,8 @@ def _rows(side: sp.Expr, columns: int, unicode: bool) -> list[prettyForm]:
 
 def _forms(side: sp.Expr, limit: int, unicode: bool) -> list[prettyForm]:
     """Return the drawings of the pieces of a side, no term wider than a limit."""
-    cut = pieces(side, lambda term: drawn(term, unicode).width() + SIGN > limit)
-    return [_drawn_piece(piece, unicode) for piece in cut]
+    parts = pieces(side, lambda term: drawn(term, unicode).width() + SIGN > limit)
+    return [_drawn_piece(piece, unicode) for piece in parts]
 
 
 def _stacked(rows: Sequence[prettyForm]) -> list[str]:
@@ -95,8 +95,8 @@ def _stacked(rows: Sequence[prettyForm]) -> list[str]:
 
 def _prefixed(rows: Sequence[prettyForm], first: str) -> list[prettyForm]:
     """Return the rows, the first behind `first`, the others as its continuation."""
-    head, *more = rows
-    return [prettyForm(*head.left(first)), *(prettyForm(*r.left(CONTINUED)) for r in more)]
+    head, *continued = rows
+    return [prettyForm(*head.left(first)), *(prettyForm(*r.left(CONTINUED)) for r in continued)]
 
 
 def _mathematics(sides: Sequence[sp.Expr], unicode: bool) -> list[str]:
@@ -111,8 +111,8 @@ def _mathematics(sides: Sequence[sp.Expr], unicode: bool) -> list[str]:
         lines = [prettyForm(*rows[0].left(EQUALS)) for rows in beside]
         lines[:1] = [prettyForm(*stringPict.next(head, " ", lines[0]))]
         return _stacked([lines[0], *(prettyForm(*line.left(margin)) for line in lines[1:])])
-    whole = _rows(sides[0], COLUMNS - len(CONTINUED), unicode)
-    rows = _prefixed(whole, "")
+    first_rows = _rows(sides[0], COLUMNS - len(CONTINUED), unicode)
+    rows = _prefixed(first_rows, "")
     for side in sides[1:]:
         wrapped = _rows(side, COLUMNS - len(CONTINUED), unicode)
         rows += _prefixed(wrapped, EQUALS)

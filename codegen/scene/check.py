@@ -78,18 +78,18 @@ def _check_motions(scene: SceneData) -> None:
     for name in scene.guess if isinstance(scene.guess, Mapping) else ():
         if name not in scene.motions:
             raise SceneError(f"guess: got {name!r}, expected one of {', '.join(scene.motions)}")
-    first: tuple[sp.Expr, ...] = ()
+    first_scales: tuple[sp.Expr, ...] = ()
     for name in scene.motions:
         with named(f"motion {name}"):
             motion = scene.of_motion(name)
-        found = scales(motion)
-        for what, expected, size in zip(SCALES, first, found, strict=False):
+        motion_scales = scales(motion)
+        for unit, expected, size in zip(SCALES, first_scales, motion_scales, strict=False):
             if sp.simplify(expected - size) != 0:
                 raise SceneError(
-                    f"scales: the unit of {what} is {expected} in {next(iter(scene.motions))}, "
-                    f"{size} in {name}; give {what!r}"
+                    f"scales: the unit of {unit} is {expected} in {next(iter(scene.motions))}, "
+                    f"{size} in {name}; give {unit!r}"
                 )
-        first = first or found
+        first_scales = first_scales or motion_scales
 
 
 def _check_phases(scene: SceneData) -> None:
@@ -109,28 +109,28 @@ def _check_frequency(scene: SceneData) -> None:
     """Check that the frequency is a positive parameter in rad/s."""
     if scene.frequency is None:
         return
-    found = [q for q in scene.parameters if q.symbol == scene.frequency]
-    if not found:
+    matching = [q for q in scene.parameters if q.symbol == scene.frequency]
+    if not matching:
         raise SceneError(f"frequency: {scene.frequency} is not a parameter of the scene")
-    if dimension_of(found[0].unit) != dimension_of("1/s"):
-        raise SceneError(f"frequency: got the unit {found[0].unit!r}, expected rad/s")
+    if dimension_of(matching[0].unit) != dimension_of("1/s"):
+        raise SceneError(f"frequency: got the unit {matching[0].unit!r}, expected rad/s")
     if not scene.frequency.is_positive:
         raise SceneError(f"frequency: got {scene.frequency}, expected a positive symbol")
 
 
 def _check_whole(scene: SceneData, units: Units) -> None:
     """Check the requirements, scales and rough durations of a scene."""
-    known = scene.symbols
+    symbols = scene.symbols
     for words, expression in scene.requires.items():
         with named(f"requires {words!r}"):
             balance(sp.sympify(expression), units)
-            check_known(sp.sympify(expression).free_symbols, known)
+            check_known(sp.sympify(expression).free_symbols, symbols)
     for name, scale in scene.scales.items():
         with named(f"scales {name!r}"):
             if name not in SCALES:
                 raise SceneError(f"expected one of {', '.join(SCALES)}")
             if not sp.sympify(scale).is_number:  # a number is in SI
-                _check_dimension(scale, units, SCALES[name], known)
+                _check_dimension(scale, units, SCALES[name], symbols)
             if sp.sympify(scale).is_nonpositive:
                 raise SceneError(f"got {scale}, expected what is positive")
     if isinstance(scene.guess, Mapping):
@@ -141,7 +141,7 @@ def _check_whole(scene: SceneData, units: Units) -> None:
         )
     for duration in scene.guess:
         with named("guess"):
-            _check_dimension(duration, units, "s", known)
+            _check_dimension(duration, units, "s", symbols)
 
 
 def _check_start(scene: SceneData, units: Units) -> None:
@@ -151,8 +151,8 @@ def _check_start(scene: SceneData, units: Units) -> None:
     if scene.frequency is not None:
         raise SceneError("start: the phase of the forcing is not known, expected no frequency")
     if len(scene.start) > 1 or not scene.start.keys() <= {x, v}:
-        found = ", ".join(map(str, scene.start))
-        raise SceneError(f"start: got {found}, expected either x or v")
+        symbols = ", ".join(map(str, scene.start))
+        raise SceneError(f"start: got {symbols}, expected either x or v")
     for symbol, value in scene.start.items():
         with named("start"):
             _check_dimension(value, units, STATE_UNITS[symbol], scene.symbols)
@@ -173,9 +173,9 @@ def _check_used(scene: SceneData) -> None:
     used |= set() if scene.body is None else scene.body.symbols
     used |= _symbols(scene.requires.values()) | {scene.frequency}
     used |= _symbols(memory.value for memory in scene.memory)
-    idle = [q.name for q in scene.parameters if q.symbol not in used]
-    if idle:
-        raise SceneError(f"parameter {idle[0]}: no equation, event or demand has it")
+    unused = [q.name for q in scene.parameters if q.symbol not in used]
+    if unused:
+        raise SceneError(f"parameter {unused[0]}: no equation, event or demand has it")
 
 
 def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
@@ -186,7 +186,7 @@ def _check_dimension(
     expression: sp.Expr, units: Units, unit: str, known: Iterable[sp.Symbol]
 ) -> None:
     """Check that an expression has a unit, and no symbols but known ones."""
-    found = balance(sp.expand(expression), units)
-    if found != dimension_of(unit):
-        raise SceneError(f"{expression} is in {spelled(found)}, expected {unit}")
+    dimension = balance(sp.expand(expression), units)
+    if dimension != dimension_of(unit):
+        raise SceneError(f"{expression} is in {spelled(dimension)}, expected {unit}")
     check_known(sp.sympify(expression).free_symbols, known)

@@ -164,14 +164,14 @@ class SceneData:
 
     def of_motion(self, name: str) -> Self:
         """Return one of its motions as a scene."""
-        made: dict[str, Self] = self.__dict__.setdefault("_made", {})
-        if name not in made:
+        cached: dict[str, Self] = self.__dict__.setdefault("_made", {})
+        if name not in cached:
             guess = self.guess.get(name, ()) if isinstance(self.guess, Mapping) else ()
             phases = self.motions[name]
-            made[name] = replace(
+            cached[name] = replace(
                 self, phases=phases, motions={}, motion=name, guess=tuple(guess)
             )
-        return made[name]
+        return cached[name]
 
     @cached_property
     def cell(self) -> tuple[Phase, ...]:

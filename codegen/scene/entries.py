@@ -22,7 +22,7 @@ def check_entries(scene: SceneData) -> None:
     if any(mark in scene.title for mark in ('"""', "\\", "\n")):
         raise SceneError(f'title: got {scene.title!r}, expected one line without \\ and """')
     _expect("half_period", scene.half_period, bool, "True or False")
-    several: list[tuple[str, Any, type]] = [
+    sequences: list[tuple[str, Any, type]] = [
         ("parameters", scene.parameters, Parameter),
         ("phases", scene.phases, Phase),
         ("memory", scene.memory, Memory),
@@ -30,8 +30,8 @@ def check_entries(scene: SceneData) -> None:
     _expect("motions", scene.motions, Mapping, "a mapping {name: (Phase, ...)}")
     for motion, phases in scene.motions.items():
         _expect("motions", motion, str, "text before the colon")
-        several.append((f"motion {motion}", phases, Phase))
-    for name, entries, kind in several:
+        sequences.append((f"motion {motion}", phases, Phase))
+    for name, entries, kind in sequences:
         for entry in _several(name, entries):
             _expect(name, entry, kind, f"a {kind.__name__}")
     for parameter in scene.parameters:
@@ -134,9 +134,9 @@ def _check_expression(field: str, value: object) -> None:
             raise SceneError(f"got {expression}, expected real and finite numbers")
         unknown = expression.atoms(AppliedUndef, sp.Derivative, sp.Integral)
         if unknown:
-            first = max(unknown, key=lambda q: (_of_the_past(q), str(q)))
-            instead = f" as they are now; {INSTEAD}" if _of_the_past(first) else ""
-            raise SceneError(f"got {first}, expected the symbols x, v, a and forcing{instead}")
+            term = max(unknown, key=lambda q: (_of_the_past(q), str(q)))
+            instead = f" as they are now; {INSTEAD}" if _of_the_past(term) else ""
+            raise SceneError(f"got {term}, expected the symbols x, v, a and forcing{instead}")
 
 
 def _of_the_past(function: sp.Expr) -> bool:

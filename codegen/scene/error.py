@@ -76,7 +76,7 @@ def check_linear(expression: sp.Expr, symbols: Sequence[sp.Symbol], expected: st
     expanded = sp.expand(expression)
     if not _is_linear(expanded, symbols):
         terms = sp.Add.make_args(expanded)
-        wrong = next((each for each in terms if not _is_linear(each, symbols)), expression)
+        wrong = next((term for term in terms if not _is_linear(term, symbols)), expression)
         raise SceneError(_not_linear(wrong, [q for q in symbols if wrong.has(q)], expected))
 
 
@@ -86,17 +86,17 @@ def _is_linear(expression: sp.Expr, symbols: Iterable[sp.Symbol]) -> bool:
 
 def _not_linear(term: sp.Expr, symbols: list[sp.Symbol], expected: str) -> str:
     """Return the message for a term that is not linear in these symbols."""
-    found = f"{term} is not linear in {' and '.join(map(str, symbols))}"
+    message = f"{term} is not linear in {' and '.join(map(str, symbols))}"
     if expected:
-        return f"{found}, {expected}"
-    others = [q for q in symbols if q != forcing]
-    if others and forcing in symbols and _is_linear(term, others):
-        return _varying(others[0], sp.diff(term, others[0]))
+        return f"{message}, {expected}"
+    state = [q for q in symbols if q != forcing]
+    if state and forcing in symbols and _is_linear(term, state):
+        return _varying(state[0], sp.diff(term, state[0]))
     kinds = [q for q in term.atoms(*_BRANCHES) if q.has(*symbols)]
     if kinds and _is_linear(sp.expand(_on_branches(term)), symbols):
         kind = min(type(q).__name__ for q in kinds)
-        return f"{found}: give each branch of {kind} a phase of its own"
-    return f"{found}; {INSTEAD}"
+        return f"{message}: give each branch of {kind} a phase of its own"
+    return f"{message}; {INSTEAD}"
 
 
 def _on_branches(expression: sp.Expr) -> sp.Expr:
@@ -121,9 +121,9 @@ def _of_time(expression: sp.Expr) -> str:
             return _varying(symbol, coefficient)
     waves = sorted((q for q in expression.atoms(sp.cos, sp.sin) if q.has(t)), key=str)
     stand_ins = {wave: sp.Dummy() for wave in waves}
-    rest = expression.xreplace(stand_ins)
-    one = len({wave.args[0] for wave in waves}) == 1 and not expression.has(forcing)
-    if one and not rest.has(t) and _is_linear(sp.expand(rest), tuple(stand_ins.values())):
+    form = expression.xreplace(stand_ins)
+    alike = len({wave.args[0] for wave in waves}) == 1 and not expression.has(forcing)
+    if alike and not form.has(t) and _is_linear(sp.expand(form), tuple(stand_ins.values())):
         return (
             "it has the time t, which enters by forcing alone: "
             f"expected forcing in place of {waves[0]}"

@@ -40,9 +40,11 @@ def parts(expression: sp.Expr, symbols: Sequence[sp.Symbol], what: str) -> list[
     expanded = sp.expand(expression)
     with named(what):
         check_linear(expanded, symbols)
-    found = [sp.diff(expanded, symbol) for symbol in symbols]
-    rest = sp.expand(expanded - sum(c * q for c, q in zip(found, symbols, strict=True)))
-    return [*map(sp.factor_terms, found), sp.factor_terms(rest)]
+    coefficients = [sp.diff(expanded, symbol) for symbol in symbols]
+    constant = sp.expand(
+        expanded - sum(c * q for c, q in zip(coefficients, symbols, strict=True))
+    )
+    return [*map(sp.factor_terms, coefficients), sp.factor_terms(constant)]
 
 
 def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
@@ -61,10 +63,10 @@ def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
         acceleration.
     """
     what = f"phase {phase.name}: equation"
-    m, c, k, g, *others, f = parts(phase.equation, (a, v, x, forcing, *memory), what)
+    m, c, k, g, *of_memory, f = parts(phase.equation, (a, v, x, forcing, *memory), what)
     if m == 0:
         raise SceneError(f"{what}: {phase.equation} has no acceleration a; {INSTEAD}")
-    return LinearPhase(m, c, k, -f, -g, tuple(-h for h in others))
+    return LinearPhase(m, c, k, -f, -g, tuple(-h for h in of_memory))
 
 
 def state_row(
@@ -79,8 +81,8 @@ def state_row(
     """
     if sp.sympify(expression).has(a):
         raise SceneError(f"{what}: {expression} has the acceleration a, expected x, v, forcing")
-    *found, rest = parts(sp.sympify(expression), (x, v, forcing, *memory), what)
-    return (*found[:3], rest, *found[3:])
+    *factors, constant = parts(sp.sympify(expression), (x, v, forcing, *memory), what)
+    return (*factors[:3], constant, *factors[3:])
 
 
 def fixed(phase: Phase, symbol: sp.Symbol) -> sp.Expr | None:
@@ -103,10 +105,10 @@ def without_modulus(
     SceneError
         If a modulus of the state occurs otherwise, so that both signs are not equivalent.
     """
-    found = [q for q in expression.atoms(sp.Abs) if q.has(*states)]
-    if not found:
+    moduli = [q for q in expression.atoms(sp.Abs) if q.has(*states)]
+    if not moduli:
         return (expression,)
-    modulus = min(found, key=sp.default_sort_key)
+    modulus = min(moduli, key=sp.default_sort_key)
     stand_in = sp.Dummy()
     expanded = sp.expand(expression.xreplace({modulus: stand_in}))
     weight = sp.diff(expanded, stand_in)

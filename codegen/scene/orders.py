@@ -42,25 +42,25 @@ def in_order(scene: Scene, phases: str) -> Scene:
     half = names[-1:] == [MIRRORED]
     names = names[:-1] if half else names
     steps = [(name.removeprefix("-"), name.startswith("-")) for name in names]
-    known = {phase.name: phase for phase in base.phases}
+    by_name = {phase.name: phase for phase in base.phases}
     for name, minus in steps:
-        if name not in known or (minus and not base.half_period):
+        if name not in by_name or (minus and not base.half_period):
             got = f"-{name}" if minus else name
-            raise ValueError(f"phases: got {got!r}, expected {one_of(name, known)}")
+            raise ValueError(f"phases: got {got!r}, expected {one_of(name, by_name)}")
     if half and not (base.half_period or _is_odd(base)):
         raise ValueError(
             f"phases: got {MIRRORED}, but a mirror image is no motion of {base.name}"
         )
     called = numbered([f"{name}{IMAGE}" if minus else name for name, minus in steps])
-    memory, meant = _settings(base, steps, called, half)
-    found = []
-    for (name, minus), own, values in zip(steps, called, meant, strict=True):
-        phase = _mirrored(known[name], base) if minus else known[name]
-        found.append(replace(with_values(phase, values), name=own))
+    memory, substitutions = _settings(base, steps, called, half)
+    ordered = []
+    for (name, minus), new_name, values in zip(steps, called, substitutions, strict=True):
+        phase = _mirrored(by_name[name], base) if minus else by_name[name]
+        ordered.append(replace(with_values(phase, values), name=new_name))
     try:
         return replace(
             base,
-            phases=tuple(found),
+            phases=tuple(ordered),
             half_period=half,
             memory=memory,
             motion=phases,
@@ -79,8 +79,8 @@ def _settings(
     Before the first phase that sets a memory, the last one of the cell holds; its sign is left
     to `Scene.cell`.
     """
-    found: list[Memory] = []
-    meant: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in steps]
+    memories: list[Memory] = []
+    substitutions: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in steps]
     for memory in scene.memory:
         places = [p for p, (name, _) in enumerate(steps) if name == memory.at]
         if not places:
@@ -88,14 +88,14 @@ def _settings(
         names = numbered([memory.symbol.name] * len(places))
         symbols = [sp.Symbol(name, real=True) for name in names]
         for p in range(len(steps)):
-            last = sum(place <= p for place in places) - 1
-            meant[p][memory.symbol] = symbols[last]
+            latest = sum(place <= p for place in places) - 1
+            substitutions[p][memory.symbol] = symbols[latest]
         for p, symbol in zip(places, symbols, strict=True):
             value = sp.sympify(memory.value)
             mirrored = _begins_mirrored(scene, steps, p, half)
             value = -value.subs(_image(scene)) if mirrored else value
-            found.append(Memory(symbol, called[p], value, memory.what))
-    return tuple(found), meant
+            memories.append(Memory(symbol, called[p], value, memory.what))
+    return tuple(memories), substitutions
 
 
 def _begins_mirrored(

@@ -27,11 +27,11 @@ def check_parameters(parameters: Sequence[Parameter], phases: Sequence[str]) -> 
         _check_symbol(field, q.symbol, phases)
         if not math.isfinite(q.default) or not within(q, q.default):
             raise SceneError(f"{field}: default: got {q.default!r}, expected {bounds(q)}")
-    for what in ("name", "symbol"):
-        seen = [getattr(q, what) for q in parameters]
-        twice = [str(each) for each in seen if seen.count(each) > 1]
-        if twice:
-            raise SceneError(f"parameters: {what} {twice[0]} is there twice")
+    for attribute in ("name", "symbol"):
+        values = [getattr(q, attribute) for q in parameters]
+        repeated = [str(value) for value in values if values.count(value) > 1]
+        if repeated:
+            raise SceneError(f"parameters: {attribute} {repeated[0]} is there twice")
 
 
 def _check_symbol(field: str, symbol: sp.Symbol, phases: Sequence[str]) -> None:
@@ -50,8 +50,8 @@ def _check_symbol(field: str, symbol: sp.Symbol, phases: Sequence[str]) -> None:
 def within(parameter: Parameter, value: float) -> bool:
     """Return whether a value satisfies the assumptions of the symbol and the upper bound."""
     symbol = parameter.symbol
-    low = value > 0 if symbol.is_positive else (value >= 0 or not symbol.is_nonnegative)
-    return bool(low) and (parameter.most is None or bool(value <= parameter.most))
+    allowed = value > 0 if symbol.is_positive else (value >= 0 or not symbol.is_nonnegative)
+    return bool(allowed) and (parameter.most is None or bool(value <= parameter.most))
 
 
 def bounds(parameter: Parameter) -> str:
@@ -69,18 +69,18 @@ def check_memory(
 
     A `SceneError` names the field that is wrong.
     """
-    found: dict[sp.Symbol, Dimension] = {}
+    memory_units: dict[sp.Symbol, Dimension] = {}
     for memory in scene.memory:
         field = f"memory {memory.symbol}"
-        _check_remembered(field, memory, scene, {*units, *found})
+        _check_remembered(field, memory, scene, {*units, *memory_units})
         names = [phase.name for phase in scene.phases]
         if memory.at not in names:
             raise SceneError(
                 f"{field}: at: got {memory.at!r}, expected one of {', '.join(names)}"
             )
         with named(f"{field}: value"):
-            found[memory.symbol] = _unit_of(memory, scene, units)
-    return found
+            memory_units[memory.symbol] = _unit_of(memory, scene, units)
+    return memory_units
 
 
 def power_of_time(scene: SceneData, memory: Memory) -> int:
@@ -104,8 +104,8 @@ def _unit_of(
     memory: Memory, scene: SceneData, units: Mapping[sp.Symbol, Dimension]
 ) -> Dimension:
     value = sp.sympify(memory.value)
-    known = {x, v, forcing, *(q.symbol for q in scene.parameters)}
-    if value.free_symbols & ({*units} - known):
+    allowed = {x, v, forcing, *(q.symbol for q in scene.parameters)}
+    if value.free_symbols & ({*units} - allowed):
         raise SceneError(f"got {value}, expected x, v, forcing and parameters")
     if value.has(forcing) and scene.frequency is None:
         raise SceneError("it has forcing, but the scene has no frequency")
@@ -159,9 +159,9 @@ def units_of(scene: SceneData) -> dict[sp.Symbol, Dimension]:
 
 def check_known(symbols: set[sp.Symbol], known: Iterable[sp.Symbol]) -> None:
     """Check that symbols are parameters; a `SceneError` names one that is not."""
-    strange = sorted(symbols - set(known), key=str)
-    if strange:
-        raise SceneError(f"{strange[0]} is not a parameter of the scene")
+    unknown = sorted(symbols - set(known), key=str)
+    if unknown:
+        raise SceneError(f"{unknown[0]} is not a parameter of the scene")
 
 
 def _expression(value: object) -> sp.Expr:

@@ -134,10 +134,10 @@ def check_same_units(phases: tuple[Phase, ...], units: Units) -> None:
     A `SceneError` is raised if not, for their residuals could not be added.
     """
     free = [phase for phase in phases if phase.held is None]
-    found = [balance(sp.expand(phase.equation), units) for phase in free]
-    for phase, unit in zip(free, found, strict=True):
-        if unit != found[0]:
+    dimensions = [balance(sp.expand(phase.equation), units) for phase in free]
+    for phase, unit in zip(free, dimensions, strict=True):
+        if unit != dimensions[0]:
             raise SceneError(
                 f"phase {phase.name}: equation: it is in {spelled(unit)}, "
-                f"that of {free[0].name} in {spelled(found[0])}"
+                f"that of {free[0].name} in {spelled(dimensions[0])}"
             )

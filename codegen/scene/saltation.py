@@ -33,10 +33,10 @@ def saltations(scene: SceneData) -> tuple[sp.Matrix, ...]:
     [                      -r,  0],
     [(a_after + a_before*r)/v, -r]])
     """
-    found, phases = switches(scene), scene.phases
+    cell_switches, phases = switches(scene), scene.phases
     after = [(p + 1) % len(phases) for p in range(len(phases))]
     return tuple(
-        saltation(left, phases[q], found[q].k, scene.memory)
+        saltation(left, phases[q], cell_switches[q].k, scene.memory)
         for left, q in zip(phases, after, strict=True)
     )
 
@@ -69,12 +69,12 @@ def saltation(left: Phase, right: Phase, k: int, memory: tuple[Memory, ...] = ()
     moved = perturbation + rates_before * delay
     zero = sp.sympify(left.ends.zero)
     change = sum(sp.diff(zero, q) * step for q, step in zip(state, moved, strict=True))
-    (late,) = sp.solve(change + sp.diff(zero, forcing) * turning * delay, delay)
+    (solution,) = sp.solve(change + sp.diff(zero, forcing) * turning * delay, delay)
 
     # the law of the switch there, and back to the time of the orbit's event
     behind = law.jacobian(state) * moved - rates_after * delay
     behind += law.diff(forcing) * turning * delay
-    matrix = behind.subs(delay, late).jacobian(perturbation)
+    matrix = behind.subs(delay, solution).jacobian(perturbation)
     return matrix.subs(_known(left, right, k)).applyfunc(sp.factor)
 
 

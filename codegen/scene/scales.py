@@ -21,17 +21,17 @@ def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     SceneError
         If one of them cannot be determined.
     """
-    given = {name: sp.sympify(value) for name, value in scene.scales.items()}
+    stated = {name: sp.sympify(value) for name, value in scene.scales.items()}
     of_body = scene.body is not None
-    mass, period, force = (_of_body if of_body else _of_mass)(scene, given.get("mass"))
-    time = given.get("time", period if scene.frequency is None else 1 / scene.frequency)
+    mass, period, force = (_of_body if of_body else _of_mass)(scene, stated.get("mass"))
+    time = stated.get("time", period if scene.frequency is None else 1 / scene.frequency)
     if time is None:
         raise SceneError(
             "scales: no time can be worked out (no forcing, no spring): give 'time'"
         )
     speeds = [phase.held for phase in scene.phases if phase.held]
-    if "length" in given:
-        return mass, time, given["length"]
+    if "length" in stated:
+        return mass, time, stated["length"]
     if force is None and not speeds:
         raise SceneError(
             "scales: no length can be worked out (no forcing, no held speed): give it"

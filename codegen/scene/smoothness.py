@@ -58,15 +58,15 @@ def switches(scene: SceneData) -> tuple[Switch, ...]:
     SceneError
         If nothing changes at a switch.
     """
-    found = []
+    of_cell = []
     for left, right, sign in _sides(scene):
         k = _order(scene, left, right, sign, {})
         if k is None:
             raise SceneError(
                 f"phase {right.name}: its motion is that of {left.name}; nothing changes"
             )
-        found.append(Switch(left.name, right.name, k))
-    return tuple(found)
+        of_cell.append(Switch(left.name, right.name, k))
+    return tuple(of_cell)
 
 
 def class_of(scene: SceneData) -> int:
@@ -79,9 +79,9 @@ def classes_of(scene: SceneData, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[i
 
     It is `HIGHEST` if nothing changes for these values.
     """
-    known = {q: sp.nsimplify(value, rational=True) for q, value in values.items()}
-    found = (_order(scene, *sides, known) for sides in _sides(scene))
-    return tuple(HIGHEST if k is None else k for k in found)
+    rationals = {q: sp.nsimplify(value, rational=True) for q, value in values.items()}
+    classes = (_order(scene, *sides, rationals) for sides in _sides(scene))
+    return tuple(HIGHEST if k is None else k for k in classes)
 
 
 def _sides(scene: SceneData) -> Iterator[tuple[Phase, Phase, int]]:
@@ -112,9 +112,9 @@ def place(scene: SceneData, p: int) -> sp.Expr | None:
     It is known if the event of the phase before prescribes a displacement.
     """
     phase, sign = scene.cell[p], scene.sign if p == 0 else 1
-    found = fixed(scene.cell[p - 1], x)
+    displacement = fixed(scene.cell[p - 1], x)
     at_rest = phase.held is not None and sp.sympify(phase.held) == 0
-    return sign * found if at_rest and found is not None else None
+    return sign * displacement if at_rest and displacement is not None else None
 
 
 def known_rows(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
@@ -124,19 +124,19 @@ def known_rows(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[l
     """
     memory = [q.symbol for q in scene.memory]
     of_x, of_v, cos, one, *h = state_row(left.ends.zero, f"phase {left.name}: ends", memory)
-    known = [[sign * of_x, sign * of_v, one, sign * cos, 0, *h]]
+    rows = [[sign * of_x, sign * of_v, one, sign * cos, 0, *h]]
     nothing = [sp.Integer(0)] * len(memory)
     if left.held is not None:
-        known.append([0, sign, -left.held, 0, 0, *nothing])
+        rows.append([0, sign, -left.held, 0, 0, *nothing])
     at = place(scene, scene.cell.index(left))
     if at is not None:
-        known.append([sign, 0, -at, 0, 0, *nothing])
+        rows.append([sign, 0, -at, 0, 0, *nothing])
     for column, q in enumerate(scene.memory):
         if q.at == right.name:
             of_x, of_v, cos, one = state_row(q.value, f"memory {q.symbol}")
-            known.append([of_x, of_v, one, cos, 0, *nothing])
-            known[-1][5 + column] = sp.Integer(-1)
-    return known
+            rows.append([of_x, of_v, one, cos, 0, *nothing])
+            rows[-1][5 + column] = sp.Integer(-1)
+    return rows
 
 
 def _order(
@@ -152,8 +152,8 @@ def _order(
     memory = [q.symbol for q in scene.memory]
     before = generator(left, frequency, sign, memory).subs(values)
     after = generator(right, frequency, memory=memory).subs(values)
-    known = sp.Matrix(known_rows(scene, left, right, sign)).subs(values)
-    return _first_jump(before, after, known)
+    rows = sp.Matrix(known_rows(scene, left, right, sign)).subs(values)
+    return _first_jump(before, after, rows)
 
 
 def _first_jump(before: sp.Matrix, after: sp.Matrix, known: sp.Matrix) -> int | None:

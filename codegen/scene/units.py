@@ -45,7 +45,7 @@ def dimension_of(unit: str) -> Dimension:
     """
     total = NONE
     above, *below = _SLASH.split(unit)
-    for sign, part in ((1, above), *((-1, each) for each in below)):
+    for sign, part in ((1, above), *((-1, divisor) for divisor in below)):
         for factor in part.split() or ["?"] * bool(below):
             match = _FACTOR.fullmatch(factor)
             if match is None or match[1] not in BASE:
@@ -100,13 +100,13 @@ def balance(expression: sp.Expr, units: Mapping[sp.Symbol, Dimension]) -> Dimens
 
 
 def _balance_of_sum(expression: sp.Add, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
-    first, *others = expression.args
+    first, *terms = expression.args
     expected = balance(first, units)
-    for other in others:
-        found = balance(other, units)
-        if found != expected:
+    for term in terms:
+        unit = balance(term, units)
+        if unit != expected:
             raise SceneError(
-                f"units clash: {first} is in {spelled(expected)}, {other} in {spelled(found)}"
+                f"units clash: {first} is in {spelled(expected)}, {term} in {spelled(unit)}"
             )
     return expected
 
@@ -126,9 +126,9 @@ def _balance_of_power(expression: sp.Pow, units: Mapping[sp.Symbol, Dimension]) 
 def _unit_of(symbol: sp.Symbol, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
     if symbol in units:
         return units[symbol]
-    same = [other for other in units if other.name == symbol.name]
-    but = f", but another symbol of that name is: with {_assumed(same[0])}" if same else ""
-    if not same and looks_like_state(symbol):
+    twins = [other for other in units if other.name == symbol.name]
+    but = f", but another symbol of that name is: with {_assumed(twins[0])}" if twins else ""
+    if not twins and looks_like_state(symbol):
         but = f"; if it is a coordinate of another mass, {INSTEAD}"
     raise SceneError(f"{symbol} is not a parameter of the scene{but}")
 

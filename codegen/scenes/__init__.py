@@ -38,8 +38,8 @@ def numbers_of(scene: Scene) -> Mapping[str, str]:
     """
     if scene.name not in names() or load(scene.name) is not scene:
         return {}
-    found: Mapping[str, str] = getattr(_file(scene.name), "NUMBERS", {})
-    return found
+    numbers: Mapping[str, str] = getattr(_file(scene.name), "NUMBERS", {})
+    return numbers
 
 
 def _file(name: str) -> ModuleType:

@@ -26,9 +26,9 @@ def cantilever(count: int) -> tuple[np.ndarray, np.ndarray]:
     )
     M, K = np.zeros((2, 2 * count + 2, 2 * count + 2))
     for e in range(count):
-        here = slice(2 * e, 2 * e + 4)
-        M[here, here] += m * shape
-        K[here, here] += k * shape
+        dofs = slice(2 * e, 2 * e + 4)
+        M[dofs, dofs] += m * shape
+        K[dofs, dofs] += k * shape
     return M[2:, 2:], K[2:, 2:]
 
 

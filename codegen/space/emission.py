@@ -120,7 +120,7 @@ def _forced_modes(structure: Structure) -> str:
     form, lines = ClosedForm("g", "", (a,), ()), ""
     for q in range(1, forced_modes.MOST + 1):
         row = forced_modes.left_coefficients(structure, q)
-        lines += f"        ({', '.join(expression_source(form, each) for each in row)},),\n"
+        lines += f"        ({', '.join(expression_source(form, c) for c in row)},),\n"
     return (
         "def forced_modes(a):\n"
         '    """Return the coefficients of x, x**3, ... of each forced mode left of a."""\n'
@@ -144,23 +144,23 @@ def decaying(expression: sp.Expr) -> sp.Expr:
     are collected into one, whose exponent is not positive, so that nothing overflows.
     """
     grow = sp.Function("grow")
-    opened = expression.replace(sp.sinh, lambda u: -grow(u) * expm1(-2 * u) / 2)
-    opened = opened.replace(sp.cosh, lambda u: grow(u) * (1 + sp.exp(-2 * u)) / 2)
-    return sp.Add(*map(_collected, sp.Add.make_args(opened)))
+    rewritten = expression.replace(sp.sinh, lambda u: -grow(u) * expm1(-2 * u) / 2)
+    rewritten = rewritten.replace(sp.cosh, lambda u: grow(u) * (1 + sp.exp(-2 * u)) / 2)
+    return sp.Add(*map(_collected, sp.Add.make_args(rewritten)))
 
 
 def _collected(term: sp.Expr) -> sp.Expr:
     grow = sp.Function("grow")
-    exponent, others = sp.Integer(0), []
+    exponent, factors = sp.Integer(0), []
     for factor in sp.Mul.make_args(term):
         base, power = factor.as_base_exp()
         if isinstance(base, grow):
             exponent += power * base.args[0]
         else:
-            others.append(factor)
+            factors.append(factor)
     if exponent.has(a):
         exponent = exponent.subs(b, 1 - a)
-    return sp.Mul(*others) * sp.exp(sp.collect(sp.expand(exponent), beta))
+    return sp.Mul(*factors) * sp.exp(sp.collect(sp.expand(exponent), beta))
 
 
 def _record(structure: Structure) -> str:

@@ -47,15 +47,15 @@ def sections(name: str | Structure, methods: Iterable[str] = ()) -> list[Section
         "ritz-ck": (f"Sines and forced modes (ritz-c{structure.k})", _forced),
         "ck": (f"Functions of class `C^{structure.k}` only (c{structure.k})", _series),
     }
-    wanted = [_generic(structure, method) for method in methods] or list(METHODS)
-    found = [
+    chosen = [_generic(structure, method) for method in methods] or list(METHODS)
+    listed = [
         Section(heading(structure), tuple(_problem(structure)), _parameters(structure)),
         Section("Exact modes", tuple(_exact(structure))),
     ]
-    for method in wanted:
+    for method in chosen:
         title, equations = shown[method]
-        found.append(Section(title, tuple(equations(structure))))
-    return found
+        listed.append(Section(title, tuple(equations(structure))))
+    return listed
 
 
 def heading(structure: Structure) -> str:
@@ -140,8 +140,8 @@ def _scalar(structure: Structure, last: sp.Expr, tail: sp.Expr) -> sp.Expr:
     """Return the equation of an expansion, with sines up to `last` and a tail."""
     total = sp.Sum(r[n] ** 2 / (bare[n] - lam), (n, 1, last)) + tail
     if structure.kind == "compliance":
-        inside = sp.Sum(r[n] ** 2 / (bare[n] ** 2 * (bare[n] - lam)), (n, 1, last)) + tail
-        return 1 - s * lam * (S[2] + lam * inside)
+        inner = sp.Sum(r[n] ** 2 / (bare[n] ** 2 * (bare[n] - lam)), (n, 1, last)) + tail
+        return 1 - s * lam * (S[2] + lam * inner)
     return structure.equation(total)
 
 
@@ -185,8 +185,8 @@ def _forced_modes(structure: Structure) -> Iterator[Equation]:
             yield line(f"forced mode {number}; `a < x`", (g[number], right))
     lowest = 2 if structure.kind == "compliance" else 1
     for number in range(lowest, lowest + 2):
-        whole = sp.Sum(r[n] ** 2 / bare[n] ** number, (n, 1, sp.oo))
-        sides = (S[number], whole, forced_modes.static_sum(structure, number))
+        total = sp.Sum(r[n] ** 2 / bare[n] ** number, (n, 1, sp.oo))
+        sides = (S[number], total, forced_modes.static_sum(structure, number))
         yield line("sum of what is felt, a Bernoulli polynomial of `a`", sides)
 
 
@@ -202,18 +202,18 @@ def _products(structure: Structure) -> Iterator[Equation]:
 
 
 def _tails(structure: Structure, K: sp.Symbol) -> Iterator[Equation]:
-    rest = sp.Sum(r[n] ** 2 / bare[n] ** i, (n, N + 1, sp.oo))
-    yield line("sums over the modes left out", (left_over[i], rest))
+    remainder = sp.Sum(r[n] ** 2 / bare[n] ** i, (n, N + 1, sp.oo))
+    yield line("sums over the modes left out", (left_over[i], remainder))
     tail = sp.Function("t_K")(lam)
     yield line("all conditions as one equation", (_scalar(structure, N, tail), zero))
     shift = 2 if structure.kind == "compliance" else 0
     names = {old: left_over[q + 1 + shift] for q, old in enumerate(forced_modes.sums(2))}
-    one = forced_modes.tail(1).subs(names, simultaneous=True)
+    closed = forced_modes.tail(1).subs(names, simultaneous=True)
     words = "tail of two forced modes" if shift else "tail of one forced mode"
-    yield line(words, (sp.Function("t_2" if shift else "t_1")(lam), one))
-    series_ = sp.Sum(lam ** (i - 1) * left_over[i + shift], (i, 1, 2 * K - shift))
+    yield line(words, (sp.Function("t_2" if shift else "t_1")(lam), closed))
+    power_series = sp.Sum(lam ** (i - 1) * left_over[i + shift], (i, 1, 2 * K - shift))
     words = "any tail, as a power series: to this order that of all modes left out"
-    yield line(words, (tail, series_))
+    yield line(words, (tail, power_series))
 
 
 def _series(structure: Structure) -> Iterator[Equation]:

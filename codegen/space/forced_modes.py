@@ -53,10 +53,10 @@ def forced_mode(structure: Structure, q: int) -> Pieces:
 
 def _integrated(load: sp.Expr, m: int) -> sp.Expr:
     """Return what answers a load that is a polynomial, with zeros at ``x = 0``."""
-    found = sp.Poly(load, x)
+    answer = sp.Poly(load, x)
     for _ in range(2 * m):
-        found = found.integrate(x)
-    return (-1) ** m * found.as_expr()
+        answer = answer.integrate(x)
+    return (-1) ** m * answer.as_expr()
 
 
 def left_coefficients(structure: Structure, q: int) -> tuple[sp.Expr, ...]:
@@ -87,9 +87,9 @@ def static_sum(structure: Structure, q: int) -> sp.Expr:
     if structure.kind == "compliance" and q == 1:
         raise ValueError(f"{structure.name}: S_1 diverges")
     left, _ = forced_mode(structure, q)
-    found = sp.diff(left, x, structure.felt).subs(x, a)
-    require_zero([(f"S_{q} by Bernoulli polynomials", found - by_bernoulli(structure, q))])
-    return sp.factor(found)
+    total = sp.diff(left, x, structure.felt).subs(x, a)
+    require_zero([(f"S_{q} by Bernoulli polynomials", total - by_bernoulli(structure, q))])
+    return sp.factor(total)
 
 
 def by_bernoulli(structure: Structure, q: int) -> sp.Expr:
@@ -128,7 +128,7 @@ def tail(K: int) -> sp.Expr:
 
 def _check_pade(numerator: sp.Expr, denominator: sp.Expr, s: tuple[sp.Symbol, ...]) -> None:
     """Check that the difference from the series begins at ``lambda^(2K)``."""
-    series = sum(each * lam**power for power, each in enumerate(s))
+    series = sum(coefficient * lam**power for power, coefficient in enumerate(s))
     difference = sp.Poly(sp.expand(numerator - denominator * series), lam)
     require_zero(
         (f"moment {power + 1} of the tail", difference.coeff_monomial(lam**power))

@@ -21,9 +21,9 @@ def string(k: sp.Expr) -> sp.Expr:
     left, right = sp.symbols("left right")
     before, after = left * sp.sin(k * x), right * sp.sin(k * (1 - x))
     joined = [(after - before).subs(x, xi), sp.diff(after - before, x).subs(x, xi) + 1]
-    found = sp.solve(joined, [left, right], dict=True)[0]
+    solution = sp.solve(joined, [left, right], dict=True)[0]
     wronskian = sp.sin(k * xi) * sp.cos(k * (1 - xi)) + sp.cos(k * xi) * sp.sin(k * (1 - xi))
-    numerator = sp.simplify(found[left] * wronskian)
+    numerator = sp.simplify(solution[left] * wronskian)
     require_zero([("the Wronskian is sin k", wronskian - sp.sin(k))])
     return sp.sin(k * x) * numerator / sp.sin(k)
 
@@ -71,8 +71,8 @@ def receptance(structure: Structure) -> tuple[sp.Expr, sp.Expr]:
 
 def regular_receptance(structure: Structure) -> tuple[sp.Expr, sp.Expr]:
     """Return the receptance, of a compliance over ``lambda``: finite at ``beta = 0``."""
-    over = beta ** (2 * structure.m) if structure.kind == "compliance" else sp.Integer(1)
-    first, second = (sp.expand(part / over) for part in receptance(structure))
+    divisor = beta ** (2 * structure.m) if structure.kind == "compliance" else sp.Integer(1)
+    first, second = (sp.expand(part / divisor) for part in receptance(structure))
     return first, second
 
 
@@ -82,9 +82,9 @@ def characteristic(structure: Structure) -> sp.Expr:
     The equation of the attached structure times ``sin beta``, of a beam ``sinh beta``, and the
     lowest power of ``beta`` that leaves no denominator.
     """
-    whole = structure.equation(sum(receptance(structure))).subs(lam, beta ** (2 * structure.m))
+    left = structure.equation(sum(receptance(structure))).subs(lam, beta ** (2 * structure.m))
     factor = sp.sin(beta) * (sp.sinh(beta) if structure.m == 2 else 1)
-    cleared = sp.expand(sp.expand(whole) * factor)
+    cleared = sp.expand(sp.expand(left) * factor)
     numerator, denominator = sp.fraction(sp.together(cleared))
-    over = sp.Poly(denominator, beta)
-    return sp.expand(numerator) if over.is_monomial else sp.expand(cleared)
+    divisor = sp.Poly(denominator, beta)
+    return sp.expand(numerator) if divisor.is_monomial else sp.expand(cleared)

@@ -41,12 +41,12 @@ def check_determinant(structure: Structure) -> sp.Expr:
     raised if the two differ by more than such a factor.
     """
     determinant = _as_polynomial(matrix(structure).det(method="berkowitz"))
-    wanted = _as_polynomial(characteristic(structure))
-    first = wanted.terms()[0]
+    equation = _as_polynomial(characteristic(structure))
+    leading = equation.terms()[0]
     for powers, coefficient in determinant.terms():
-        if powers[1:] == first[0][1:]:
-            factor = sp.Rational(coefficient, first[1]) * beta ** (powers[0] - first[0][0])
-            if sp.expand(determinant.as_expr() - factor * wanted.as_expr()) == 0:
+        if powers[1:] == leading[0][1:]:
+            factor = sp.Rational(coefficient, leading[1]) * beta ** (powers[0] - leading[0][0])
+            if sp.expand(determinant.as_expr() - factor * equation.as_expr()) == 0:
                 return factor
     raise DerivationError(f"{structure.name}: the determinant is not that of the equation")
 
@@ -64,8 +64,8 @@ def _as_polynomial(expression: sp.Expr) -> sp.Poly:
         sp.cosh(beta * a): cha, sp.cosh(beta * b): chb,
         sp.sin(beta): sa * cb + ca * sb, sp.sinh(beta): sha * chb + cha * shb,
     }  # fmt: skip
-    found = sp.Poly(sp.expand(expression.subs(words).subs(beta, be)), *_ATOMS)
+    poly = sp.Poly(sp.expand(expression.subs(words).subs(beta, be)), *_ATOMS)
     for cosine, sine, sign in ((ca, sa, -1), (cb, sb, -1), (cha, sha, 1), (chb, shb, 1)):
         relation = sp.Poly(cosine**2 - 1 - sign * sine**2, cosine)
-        found = sp.Poly(sp.rem(sp.Poly(found.as_expr(), cosine), relation).as_expr(), *_ATOMS)
-    return found
+        poly = sp.Poly(sp.rem(sp.Poly(poly.as_expr(), cosine), relation).as_expr(), *_ATOMS)
+    return poly

@@ -25,23 +25,23 @@ def legendre(degree: int, argument: sp.Expr) -> sp.Expr:
 
 def norm_squared() -> sp.Expr:
     """Return the integral of ``(P_l*)^2`` over a segment of length `h`."""
-    found = h / (2 * l + 1)
+    norm = h / (2 * l + 1)
     require_zero(
         (f"norm of P_{n}*",
-         h * sp.integrate(sp.expand(legendre(n, v) ** 2), (v, 0, 1)) - found.subs(l, n))
+         h * sp.integrate(sp.expand(legendre(n, v) ** 2), (v, 0, 1)) - norm.subs(l, n))
         for n in CHECKED
     )  # fmt: skip
-    return found
+    return norm
 
 
 def integral_factor() -> sp.Expr:
     """Return the factor in ``integral of P_l* = factor (P_(l+1)* - P_(l-1)*)``."""
-    found = h / (2 * (2 * l + 1))
+    factor = h / (2 * (2 * l + 1))
     w = sp.Symbol("w", positive=True)
     require_zero(
         (f"integral of P_{n}*",
          h * sp.integrate(sp.expand(legendre(n, w)), (w, 0, v))
-         - found.subs(l, n) * (legendre(n + 1, v) - legendre(n - 1, v)))
+         - factor.subs(l, n) * (legendre(n + 1, v) - legendre(n - 1, v)))
         for n in CHECKED
     )  # fmt: skip
-    return found
+    return factor

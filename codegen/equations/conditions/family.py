@@ -67,12 +67,12 @@ class Family(ABC):
         return tuple(map(self._row, conditions))
 
     def _row(self, condition: Condition) -> Equation:
-        known = self.statements.get(condition.name)
-        left = self.tested(condition) if known is None else (known,)
+        statement = self.statements.get(condition.name)
+        sides = self.tested(condition) if statement is None else (statement,)
         closed = self.spelled(self.closed(condition))
         where = f"`{condition.where}`" if condition.where else ""
         number = condition.number or self.numbers.get(condition.name, "")
-        return Equation(number, self.title(condition), (*left, closed, sp.Integer(0)), where)
+        return Equation(number, self.title(condition), (*sides, closed, sp.Integer(0)), where)
 
     def spelled(self, expression: sp.Expr) -> sp.Expr:
         """Return an expression with the unknowns as they are printed."""
@@ -90,31 +90,31 @@ def shown(block: Block) -> sp.Expr:
 
 def statements(notation: Notation) -> dict[str, sp.Expr]:
     """Return continuity, jump laws, events and memories, by name; for a body only events."""
-    found: dict[str, sp.Expr] = {}
+    expressions: dict[str, sp.Expr] = {}
     for p, phase in enumerate(notation.scene.phases):
-        found[f"event_{phase.name}"] = event(notation, p)
+        expressions[f"event_{phase.name}"] = event(notation, p)
     if notation.scene.body is not None:
-        return found
+        return expressions
     about = notation.scene, notation.times
     for p, switch in enumerate(notation.found):
         name = switch.before
         velocity = notation.start(p, 1) - law(notation.scene, p, notation.end)
-        found[f"impact_{name}"] = velocity
-        found[f"velocity_{name}"] = _jump(notation, p, 1) if switch.k else velocity
+        expressions[f"impact_{name}"] = velocity
+        expressions[f"velocity_{name}"] = _jump(notation, p, 1) if switch.k else velocity
         for order in (0, *range(2, switch.k + 1)):
             key = f"derivative_{order}_{name}" if order else f"displacement_{name}"
-            found[key] = _jump(notation, p, order)
+            expressions[key] = _jump(notation, p, order)
         for order in range(switch.jumps, switch.jumps + 9):
-            found[f"jump_{order}_{name}"] = differentiated(
+            expressions[f"jump_{order}_{name}"] = differentiated(
                 *about, p, order, notation.start, notation.end, notation.at
             )
     for p, phase in enumerate(notation.scene.phases):
-        found[f"event_{phase.name}_after"] = event_after(notation, p)
+        expressions[f"event_{phase.name}_after"] = event_after(notation, p)
     for symbol, value in notation.scene.start.items():
-        found[START] = notation.start(0, (x, v).index(symbol)) - value
+        expressions[START] = notation.start(0, (x, v).index(symbol)) - value
     for memory in notation.scene.memory:
-        found[f"memory_{memory.symbol}"] = memory.symbol - set_to(notation, memory)
-    return found
+        expressions[f"memory_{memory.symbol}"] = memory.symbol - set_to(notation, memory)
+    return expressions
 
 
 def _jump(notation: Notation, p: int, order: int) -> sp.Expr:

@@ -40,17 +40,17 @@ class Forces(Family):
         yield Equation("", words, (z(t).diff(t), pole[j] * z(t) + pushed), "`j = 1, ..., L`")
         for c, contact in enumerate(contacts.each):
             words = f"displacement of {contact.name}"
-            seen = contacts.summed(contacts.psi(c) * z(t))
+            x_c = contacts.summed(contacts.psi(c) * z(t))
             if scene.frequency is not None:
                 wave = sp.exp(sp.I * notation.times.angle(t))
-                seen += sp.re(contacts.response(c) * wave)
+                x_c += sp.re(contacts.response(c) * wave)
                 words += f"; `{contacts.response(c)}` is its response to the forcing"
-            seen += sp.Add(*(contacts.static(c, d) * force for d, force in enumerate(forces)))
+            x_c += sp.Add(*(contacts.static(c, d) * force for d, force in enumerate(forces)))
             if contacts.static(c, c) != 0:
                 words += (
                     f", `{contacts.static(c, c)}` the static one of modes that are left out"
                 )
-            yield Equation("", words, (notation.displacement(c, 0, t), seen))
+            yield Equation("", words, (notation.displacement(c, 0, t), x_c))
             for d in range(len(forces)):
                 total = contacts.summed(pole[j] * contacts.psi(c) * contacts.chi(d))
                 words = f"mobility: the acceleration of {contact.name} by a force"

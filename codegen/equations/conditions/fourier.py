@@ -79,11 +79,11 @@ class Fourier(Family):
     def _rates(self, row: Equation) -> Iterator[Equation]:
         """Yield the derivatives of one table by the times of the switches."""
         notation = self.notation
-        turns = 2 if notation.times.sign == 1 else 1
+        half_turns = 2 if notation.times.sign == 1 else 1
         name, value = row.sides[0], row.sides[-1]
         for p in range(1, len(notation.found) + 1):
             time = notation.at(p)
-            moving = value.subs(omega_0, turns * sp.pi / notation.cell)
+            moving = value.subs(omega_0, half_turns * sp.pi / notation.cell)
             rate = sp.expand(notation.in_times(sp.diff(moving, time)))
             if rate == 0:
                 continue
@@ -149,11 +149,11 @@ class Fourier(Family):
             "by_cosine": self._wave(sp.cos, j),
         }
         test = tests[condition.name]
-        left = Inner(R, test)
+        product = Inner(R, test)
         for p, impulse in self._jumps().items():
             mass = self.harmonics.weights["m"][p]
-            left -= mass * impulse * test.subs(t, self.notation.at(p))
-        return (left,)
+            product -= mass * impulse * test.subs(t, self.notation.at(p))
+        return (product,)
 
     def _jumps(self) -> dict[int, sp.Symbol]:
         """Return the unknown jump of the velocity at each switch that has one."""

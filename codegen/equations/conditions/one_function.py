@@ -58,8 +58,8 @@ class OneFunction:
 
     def residuals(self, p: int, phase: LinearPhase) -> Iterator[Equation]:
         """Yield the residual of the function in phase `p`; in the held one it is zero."""
-        bent = sp.diff(self._values()[p], u, 2) / (T - self.notation.at(1)) ** 2
-        value = phase.m * bent + phase.k * G if p else sp.Integer(0)
+        curvature = sp.diff(self._values()[p], u, 2) / (T - self.notation.at(1)) ** 2
+        value = phase.m * curvature + phase.k * G if p else sp.Integer(0)
         yield Equation("", "residual of the function", (q, value), self.notation.during(p))
 
     def entries(self, expression: sp.Expr) -> sp.Expr:

@@ -77,11 +77,11 @@ class Overlaps:
 
     def definitions(self, shown: Iterable[sp.Expr]) -> Iterator[Equation]:
         """Yield the definitions of the integrals that occur in some expressions."""
-        there = {str(q.base.label) for e in shown for q in e.atoms(sp.Indexed)}
+        occurring = {str(q.base.label) for e in shown for q in e.atoms(sp.Indexed)}
         for p, phase in enumerate(self.notation.scene.phases):
             for wave, function in (("C", sp.cos), ("S", sp.sin)):
                 name = f"{wave}_{phase.name}"
-                if name in there:
+                if name in occurring:
                     yield from self._definition(sp.IndexedBase(name), function, p)
 
     def _definition(
@@ -97,8 +97,8 @@ class Overlaps:
 
     def _primitive(self, f: type[sp.Function], time: sp.Expr) -> sp.Expr:
         """Return the primitive of a harmonic at a time; at the end of the cell a number."""
-        whole = sp.pi * l * (2 if self.notation.times.sign == 1 else 1)
-        angle = whole if time == self.notation.cell else l * omega_0 * time
+        full_angle = sp.pi * l * (2 if self.notation.times.sign == 1 else 1)
+        angle = full_angle if time == self.notation.cell else l * omega_0 * time
         wave = sp.sin(angle) if f is sp.cos else -sp.cos(angle)
         return wave / (l * omega_0)
 

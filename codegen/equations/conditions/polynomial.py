@@ -166,11 +166,11 @@ class Polynomial(Family):
         where = f"`l = 0, ..., {rows - 1}`"
         words = f"residual of {name}, orthogonal to its tests"
         yield Equation(NUMBERS["tests"], words, tested, where)
-        one = sp.Sum(rest(n, l, switch.k) * ShiftedLegendre(l, u), (l, 0, n))
+        polynomial = sp.Sum(rest(n, l, switch.k) * ShiftedLegendre(l, u), (l, 0, n))
         words = (
             f"polynomial in {name} that is orthogonal to the tests of index below its degree"
         )
-        yield Equation("", words, (member(f"J_{name}", n, u), one))
+        yield Equation("", words, (member(f"J_{name}", n, u), polynomial))
         mass, tau = linear_phase(phase).m, _factors(name)
         count = len(polynomials.rest_of(phase, switch, self.test))
         parts = (tau[i] * member(f"J_{name}", rows + i, u) for i in range(count))
@@ -188,11 +188,11 @@ class Polynomial(Family):
 
         The latter apply only if the cell is a whole period and begins with class C^1.
         """
-        found = dict(self.notation.numbers)
-        first = self.notation.found[0]
-        if first.k == 1 and self.notation.times.sign == 1:
-            found |= {f"{name}_{first.before}": n for name, n in REPEATS.items()}
-        return found
+        numbers = dict(self.notation.numbers)
+        first_switch = self.notation.found[0]
+        if first_switch.k == 1 and self.notation.times.sign == 1:
+            numbers |= {f"{name}_{first_switch.before}": n for name, n in REPEATS.items()}
+        return numbers
 
     def title(self, condition: Condition) -> str:
         """Return the title of a condition, with its degree marked."""

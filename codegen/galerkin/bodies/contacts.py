@@ -88,23 +88,23 @@ class Contacts:
             In place of the forcing and of 1.
         """
         body = body_of(self.scene)
-        found: dict[int, sp.Expr] = {2: wave, 3: one}
+        signals: dict[int, sp.Expr] = {2: wave, 3: one}
         for contact, values in zip(self.each, parts, strict=True):
             for symbol, value in zip((contact.x, contact.v, contact.a), values, strict=True):
-                found[place(body, symbol)] = value
+                signals[place(body, symbol)] = value
         width = 2 + 4 * len(self.each)
         memory = [q.symbol * one for q in self.scene.memory]
-        return [found.get(i, sp.Integer(0)) for i in range(width)] + memory
+        return [signals.get(i, sp.Integer(0)) for i in range(width)] + memory
 
     def forced(self, seen: Sequence[sp.Expr], forces: Sequence[sp.Expr]) -> list[sp.Expr]:
         """Return the signals with the forces, and with their direct effects, added."""
-        body, found = body_of(self.scene), list(seen)
+        body, signals = body_of(self.scene), list(seen)
         for c, contact in enumerate(self.each):
-            found[place(body, contact.force)] += forces[c]
+            signals[place(body, contact.force)] += forces[c]
             for d, force in enumerate(forces):
-                found[place(body, contact.x)] += self.static(c, d) * force
-                found[place(body, contact.a)] += self.mobility(c, d) * force
-        return found
+                signals[place(body, contact.x)] += self.static(c, d) * force
+                signals[place(body, contact.a)] += self.mobility(c, d) * force
+        return signals
 
     def of_response(self) -> list[tuple[sp.Expr, ...]]:
         """Return displacement, velocity, acceleration of the response to ``e^(i Omega t)``."""
@@ -115,12 +115,12 @@ class Contacts:
 
     def of_poles(self, state: sp.Expr, wave: sp.Expr) -> list[tuple[sp.Expr, ...]]:
         """Return the same for a given state of a pole, and the forcing as a complex wave."""
-        found = []
+        motions = []
         for c, answers in enumerate(self.of_response()):
             sums = (self.summed(pole[j] ** q * self.psi(c) * state) for q in range(3))
             waves = (sp.re(answer * wave) for answer in answers)
-            found.append(tuple(a + b for a, b in zip(sums, waves, strict=True)))
-        return found
+            motions.append(tuple(a + b for a, b in zip(sums, waves, strict=True)))
+        return motions
 
     @staticmethod
     def summed(of_pole: sp.Expr) -> sp.Expr:
@@ -129,14 +129,14 @@ class Contacts:
 
     def laws(self, p: int) -> list[tuple[sp.Expr, ...]]:
         """Return the laws of a phase as forms; a held contact returns to its velocity."""
-        phase, found = self.scene.cell[p], law_rows(self.scene.cell[p], self.scene)
+        phase, rows = self.scene.cell[p], law_rows(self.scene.cell[p], self.scene)
         if phase.held is not None:
             a, v = (place(body_of(self.scene), q) for q in (self.each[0].a, self.each[0].v))
-            row = [entry / found[0][a] for entry in found[0]]
+            row = [entry / rows[0][a] for entry in rows[0]]
             row[v] += RATE
             row[3] -= RATE * sp.sympify(phase.held)
-            found[0] = tuple(row)
-        return found
+            rows[0] = tuple(row)
+        return rows
 
     def is_given(self, p: int) -> bool:
         """Return whether the laws of a phase prescribe its forces, whatever the motion."""
@@ -153,8 +153,8 @@ class Contacts:
             for c in range(count)
         ]
         direct = sp.Matrix(count, count, lambda c, d: dot(laws[c], columns[d]))
-        rest = sp.Matrix([dot(law, seen) for law in laws])
-        return [sp.factor_terms(-q) for q in direct.LUsolve(rest)]
+        unforced = sp.Matrix([dot(law, seen) for law in laws])
+        return [sp.factor_terms(-q) for q in direct.LUsolve(unforced)]
 
     def form(self, expression: sp.Expr, memory: bool = True) -> tuple[sp.Expr, ...]:
         """Return the factors of a linear form of the scene."""
@@ -162,12 +162,12 @@ class Contacts:
 
     def impulses(self, p: int) -> Iterator[tuple[int, sp.Expr]]:
         """Yield the contacts with an impulse at the end of a phase, and their velocity then."""
-        scene, last = self.scene, p == len(self.scene.phases) - 1
-        after = scene.phases[0 if last else p + 1]
+        scene, is_last = self.scene, p == len(self.scene.phases) - 1
+        after = scene.phases[0 if is_last else p + 1]
         for c, contact in enumerate(self.each):
             law = sp.sympify(scene.phases[p].ends.jump.get(contact.v, contact.v))
             if c == 0 and after.held is not None:
-                law = (scene.sign if last else 1) * sp.sympify(after.held)
+                law = (scene.sign if is_last else 1) * sp.sympify(after.held)
             if law != contact.v:
                 yield c, law
 

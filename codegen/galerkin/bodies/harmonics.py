@@ -25,14 +25,14 @@ def derive(scene: Scene, method: str, title: str, functions: int = 0) -> BodyCon
         *(jump(terms, q) for q in terms.functions),
         *joints.conditions(scene, terms.times, terms.seen),
     )
-    found = (
+    fields = (
         tuple(blocks(terms)),
         terms.times,
         rows,
         tuple(expansion(terms)),
         tuple(tables(terms)),
     )
-    return BodyConditions(scene, method, title, *found)
+    return BodyConditions(scene, method, title, *fields)
 
 
 def blocks(terms: Terms) -> Iterator[Block]:

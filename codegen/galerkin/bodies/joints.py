@@ -53,9 +53,9 @@ def conditions(scene: Scene, times: Times, seen: Seen) -> Iterator[Condition]:
         title = f"{q.symbol} is set where {q.at} begins"
         yield Condition(f"memory_{q.symbol}", title, q.symbol - dot(row, at))
     for p, phase in enumerate(scene.cell):
-        there = seen(p, True)
-        whole = contacts.forced(there, contacts.by_law(p, there))
+        signals = seen(p, True)
+        with_forces = contacts.forced(signals, contacts.by_law(p, signals))
         title = f"the event that ends {phase.name}, its force by the law there"
-        expression = dot(contacts.form(phase.ends.zero), whole)
+        expression = dot(contacts.form(phase.ends.zero), with_forces)
         yield Condition(f"event_{phase.name}", title, expression)
     yield from closure.period(times)

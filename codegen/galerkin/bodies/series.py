@@ -24,13 +24,19 @@ u, y = sp.symbols("u y", nonnegative=True)
 
 def derive(scene: Scene, method: str, title: str) -> BodyConditions:
     """Return the conditions of a body in the force series."""
-    own = _Series(scene)
+    series = _Series(scene)
     rows = (
-        *(row for p in own.phases for row in own.tested(p)),
-        *joints.conditions(scene, own.times, own.seen),
+        *(row for p in series.phases for row in series.tested(p)),
+        *joints.conditions(scene, series.times, series.seen),
     )
-    found = tuple(own.blocks()), own.times, rows, tuple(own.expansion()), tuple(own.tables())
-    return BodyConditions(scene, method, title, *found)
+    fields = (
+        tuple(series.blocks()),
+        series.times,
+        rows,
+        tuple(series.expansion()),
+        tuple(series.tables()),
+    )
+    return BodyConditions(scene, method, title, *fields)
 
 
 class _Series(OfForces):
@@ -83,9 +89,9 @@ class _Series(OfForces):
             wave = self.wave(p) * self.table("nu", phase=p)[m]
             cosine = sp.re(wave)
         parts = self.contacts.of_poles(self.table("y", phase=p)[m, j], wave)
-        seen = self.contacts.seen(parts, cosine, sp.KroneckerDelta(m, 0))
+        signals = self.contacts.seen(parts, cosine, sp.KroneckerDelta(m, 0))
         forces = [self.force(p, c)[m] / (2 * m + 1) for c in range(self.count)]
-        values = self.contacts.forced(seen, forces)
+        values = self.contacts.forced(signals, forces)
         for contact, law in zip(self.contacts.each, self.contacts.laws(p), strict=True):
             title = f"the law at {contact.name} in {name}, tested with `P*_m`"
             row = dot(law, values)
@@ -153,9 +159,9 @@ class _Series(OfForces):
         """Return the state of a pole after a cell that begins at 0."""
         parts = []
         for p in self.phases:
-            rest = sp.Add(*self.times.durations[p + 1 :])
+            remaining = sp.Add(*self.times.durations[p + 1 :])
             added = self.table("g", phase=p)[j] + self._pushed(p)
-            parts.append(sp.exp(pole[j] * rest) * added)
+            parts.append(sp.exp(pole[j] * remaining) * added)
         return sp.Add(*parts)
 
 
@@ -165,13 +171,13 @@ a_at, b_at, Z_at = map(sp.Function, "abZ")
 
 def integrals() -> Iterator[Table]:
     """Yield the two integrals of `force_series` and their emitted recurrences."""
-    found = {q.name: q.value for q in force_series.formulas()}
+    formulas = {q.name: q.value for q in force_series.formulas()}
     before, here = force_series.before, force_series.here
-    other = force_series.m, force_series.n
-    once = {force_series.grown: sp.exp(kappa), force_series.inverse: 1 / kappa}
+    indices = force_series.m, force_series.n
+    common = {force_series.grown: sp.exp(kappa), force_series.inverse: 1 / kappa}
 
     def put(name: str, values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
-        return found[name].subs(dict(zip(other, (m, n), strict=True)) | once | values)
+        return formulas[name].subs(dict(zip(indices, (m, n), strict=True)) | common | values)
 
     def of(m: sp.Expr) -> sp.Expr:
         return a_at(m, kappa)
@@ -186,21 +192,21 @@ def integrals() -> Iterator[Table]:
     yield Table(of(m), "what a pole makes of its state", (power,))
     yield Table(of(sp.S.Zero), "its first entry", (put("moment_0", {}),))
     yield Table(of(sp.S.One), "its second entry", (put("moment_1", {here: of(sp.S.Zero)}),))
-    up = put("next_moment", {before: of(m - 1), here: of(m)})
-    yield Table(of(m + 1), "its recurrence", (up,), "`m > 0`")
+    recurrence = put("next_moment", {before: of(m - 1), here: of(m)})
+    yield Table(of(m + 1), "its recurrence", (recurrence,), "`m > 0`")
     words = (
         "what a pole keeps of a force: the inner integral is `b_n e^(kappa u)` and a polynomial"
     )
     yield Table(kept(sp.S.Zero), words, (put("answer_0", {}),))
     yield Table(kept(sp.S.One), "its second entry", (put("answer_1", {here: kept(sp.S.Zero)}),))
-    up = put("next_answer", {before: kept(n - 1), here: kept(n)})
-    yield Table(kept(n + 1), "its recurrence", (up,), "`n > 0`")
+    recurrence = put("next_answer", {before: kept(n - 1), here: kept(n)})
+    yield Table(kept(n + 1), "its recurrence", (recurrence,), "`n > 0`")
     inner = sp.Integral(sp.exp(kappa * (u - y)) * ShiftedLegendre(n, y), (y, 0, u))
-    both_ = sp.Integral(ShiftedLegendre(m, u) * inner, (u, 0, 1))
-    yield Table(both(m, n), "what a pole makes of a force", (both_,))
+    double_integral = sp.Integral(ShiftedLegendre(m, u) * inner, (u, 0, 1))
+    yield Table(both(m, n), "what a pole makes of a force", (double_integral,))
     yield Table(both(m, n), "below the diagonal", (of(m) * kept(n),), "`m > n`")
     yield Table(both(n, m), "above it", ((-1) ** (m + n) * both(m, n),), "`m > n`")
-    first = put("response_0", {here: of(sp.S.Zero), force_series.after: of(sp.S.One)})
-    yield Table(both(sp.S.Zero, sp.S.Zero), "its first entry", (first,))
+    entry = put("response_0", {here: of(sp.S.Zero), force_series.after: of(sp.S.One)})
+    yield Table(both(sp.S.Zero, sp.S.Zero), "its first entry", (entry,))
     values = {before: both(n, n - 1), force_series.after: both(n + 1, n)}
     yield Table(both(n, n), "on the diagonal", (put("same_response", values),), "`n > 0`")

@@ -23,12 +23,12 @@ def tables(terms: Terms) -> Iterator[Table]:
     turn = terms.times.harmonic(n) * omega_0
     for c in range(terms.count):
         for d in range(terms.count):
-            one = answer.subs({force_harmonics.omega: turn, force_harmonics.s: pole[j]})
-            other = one.subs(pole[j], sp.conjugate(pole[j]))
+            at_pole = answer.subs({force_harmonics.omega: turn, force_harmonics.s: pole[j]})
+            at_conjugate = at_pole.subs(pole[j], sp.conjugate(pole[j]))
             product = terms.contacts.psi(c) * terms.contacts.chi(d)
-            both = (product * one + sp.conjugate(product) * other) / 2
+            compliance = (product * at_pole + sp.conjugate(product) * at_conjugate) / 2
             words = "dynamic compliance: a harmonic of a displacement by that of a force"
-            closed = sp.Sum(both, (j, 1, L))
+            closed = sp.Sum(compliance, (j, 1, L))
             yield Table(terms.table("H", c, d)[n], words, (closed,))
             top = max((q.n for q in terms.functions), default=0)
             for r in range(2, top + 2):
@@ -66,8 +66,8 @@ def _of_phase(terms: Terms, p: int) -> Iterator[Table]:
 def _answer(terms: Terms, k: int, age: sp.Expr) -> sp.Expr:
     """Return the periodic response of a pole to an impulse, or for k > 0 to ``beta_k``."""
     kappa = pole[j] * terms.cell
-    alone = sp.exp(kappa * age) / (1 - terms.times.sign * sp.exp(kappa))
-    return rho(k, age, j) if k else alone
+    by_impulse = sp.exp(kappa * age) / (1 - terms.times.sign * sp.exp(kappa))
+    return rho(k, age, j) if k else by_impulse
 
 
 def _answers(terms: Terms) -> Iterator[Table]:
@@ -102,24 +102,24 @@ def _of_breaks(terms: Terms) -> Iterator[Table]:
     for p in terms.phases:
         name = terms.scene.phases[p].name
         for at_end in (False, True):
-            total = []
+            summands = []
             for place, k, c, factor in terms.breaks():
                 sign, age = terms.aged(place, p, at_end)
-                total.append(sign * factor * terms.contacts.chi(c) * _answer(terms, k, age))
+                summands.append(sign * factor * terms.contacts.chi(c) * _answer(terms, k, age))
             words = "ends" if at_end else "begins"
             title = f"what impulses and functions make of a pole where {name} {words}"
-            yield Table(terms.state(p, at_end), title, (sp.Add(*total),))
+            yield Table(terms.state(p, at_end), title, (sp.Add(*summands),))
         if terms.contacts.is_given(p):
             continue
         forced = []
         for c in range(terms.count):
-            here = [q for q in terms.functions if q.contact == c]
-            if not here:
+            functions = [q for q in terms.functions if q.contact == c]
+            if not functions:
                 continue
             wave = sp.exp(-sp.I * test * t)
             ends = terms.times.start(p), terms.times.start(p + 1)
             parts = []
-            for q in here:
+            for q in functions:
                 sign, age = terms.aged(q.phase, p, False)
                 age += (t - terms.times.start(p)) / terms.cell
                 integral = sp.Integral(beta(q.n, age) * wave, (t, *ends))
@@ -128,8 +128,8 @@ def _of_breaks(terms: Terms) -> Iterator[Table]:
             yield Table(entry, f"the functions in {name}, tested", (sp.Add(*parts),))
             forced.append(terms.contacts.chi(c) * entry)
         start, end = (terms.state(p, side) / terms.wave(m, p + side) for side in (False, True))
-        answer = {force_harmonics.omega: test, force_harmonics.s: pole[j]}
-        tested = _formula("answer").subs(answer)
+        arguments = {force_harmonics.omega: test, force_harmonics.s: pole[j]}
+        tested = _formula("answer").subs(arguments)
         tested *= sp.Add(*forced) - (end - start) / terms.cell
         entry = terms.table("y", phase=p)
         yield Table(entry[m, j], f"a pole in {name}, tested, of these", (tested,))
@@ -138,8 +138,8 @@ def _of_breaks(terms: Terms) -> Iterator[Table]:
             for c in range(terms.count)
         ]
         for c, weight in enumerate(terms.by_parts(p, parts)):
-            both = weight * entry[m, j]
-            other = sp.conjugate(weight * entry[terms.mirrored(m), j])
+            direct = weight * entry[m, j]
+            mirrored = sp.conjugate(weight * entry[terms.mirrored(m), j])
             words = f"what the law in {name} makes of these, tested"
-            total_ = sp.Sum((both + other) / 2, (j, 1, L))
-            yield Table(terms.table("B", c, phase=p)[m], words, (total_,))
+            pole_sum = sp.Sum((direct + mirrored) / 2, (j, 1, L))
+            yield Table(terms.table("B", c, phase=p)[m], words, (pole_sum,))

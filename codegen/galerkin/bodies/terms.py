@@ -40,9 +40,9 @@ class Terms(OfForces):
 
     def __init__(self, scene: Scene, functions: int) -> None:
         super().__init__(scene)
-        first = [max(switch.k, 1) for switch in switches(scene)]
+        lowest = [max(switch.k, 1) for switch in switches(scene)]
         self.functions = [
-            Function(p, first[p] + i, c)
+            Function(p, lowest[p] + i, c)
             for p in self.phases
             for i in range(functions)
             for c in range(self.count)
@@ -90,8 +90,8 @@ class Terms(OfForces):
     def compliance(self, q: int, c: int, d: int) -> sp.Expr:
         """Return ``Re sum lambda_j^q psi_j z_j`` at contact `c` by harmonic n of force `d`."""
         turn = sp.I * self.times.harmonic(n) * omega_0
-        rest = (turn ** (q - 1 - r) * self.moment(r, c, d) for r in range(q))
-        return turn**q * self.table("H", c, d)[n] - sp.Add(*rest)
+        moments = (turn ** (q - 1 - r) * self.moment(r, c, d) for r in range(q))
+        return turn**q * self.table("H", c, d)[n] - sp.Add(*moments)
 
     def breaks(self) -> Iterator[tuple[int, int, int, sp.Expr]]:
         """Yield switch, n (0 for an impulse), contact and factor of functions and impulses."""
@@ -104,8 +104,8 @@ class Terms(OfForces):
         """Return sign and age, over the cell, of a break at `p` at an end of phase `q`."""
         end = self.cell if q + at_end == len(self.phases) else self.times.start(q + at_end)
         begin = self.cell if p == len(self.phases) else self.times.start(p)
-        early = q < p
-        return (self.times.sign if early else 1), (end - begin) / self.cell + int(early)
+        wrapped = q < p
+        return (self.times.sign if wrapped else 1), (end - begin) / self.cell + int(wrapped)
 
     def state(self, q: int, at_end: bool) -> sp.Expr:
         """Return the state of a pole by the breaks, where a phase begins or ends."""
@@ -113,7 +113,7 @@ class Terms(OfForces):
 
     def derivatives(self, p: int, at_end: bool, q: int) -> list[tuple[sp.Expr, ...]]:
         """Return ``Re sum lambda_j^r psi_j z_j`` of each contact, for r from q to q + 2."""
-        found, wave = [], self.wave(n, p + at_end)
+        derivatives, wave = [], self.wave(n, p + at_end)
         for c in range(self.count):
             parts = []
             for r in range(q, q + 3):
@@ -125,8 +125,8 @@ class Terms(OfForces):
                     of_pole = pole[j] ** r * self.contacts.psi(c) * self.state(p, at_end)
                     total += self.contacts.summed(of_pole)
                 parts.append(total)
-            found.append(tuple(parts))
-        return found
+            derivatives.append(tuple(parts))
+        return derivatives
 
     def seen(self, p: int, at_end: bool, q: int = 0) -> list[sp.Expr]:
         """Return derivative q of the signals of forms where a phase begins or ends.
@@ -140,20 +140,20 @@ class Terms(OfForces):
             wave = turn * sp.exp(sp.I * angle)
             answers = self.contacts.of_response()
             parts = [
-                tuple(a + sp.re(b * wave) for a, b in zip(one, other, strict=True))
-                for one, other in zip(parts, answers, strict=True)
+                tuple(a + sp.re(b * wave) for a, b in zip(derivatives, answer, strict=True))
+                for derivatives, answer in zip(parts, answers, strict=True)
             ]
             driven = sp.cos(angle + q * sp.pi / 2) * self.times.frequency**q
-        below = [self.law(p, at_end, r) for r in range(q)]
+        lower = [self.law(p, at_end, r) for r in range(q)]
         for c, part in enumerate(parts):
-            more = (
+            added = (
                 sp.Add(*(
-                    self.moment(q + shift - 1 - r, c, d) * below[r][d]
+                    self.moment(q + shift - 1 - r, c, d) * lower[r][d]
                     for r in range(q) for d in range(self.count)
                 ))
                 for shift in range(3)
             )  # fmt: skip
-            parts[c] = tuple(a + b for a, b in zip(part, more, strict=True))
+            parts[c] = tuple(a + b for a, b in zip(part, added, strict=True))
         return self.contacts.seen(parts, driven, sp.Integer(q == 0))
 
     def law(self, p: int, at_end: bool, q: int) -> list[sp.Expr]:
@@ -179,5 +179,5 @@ class Terms(OfForces):
         self, p: int, parts: Sequence[tuple[sp.Expr, ...]], wave: int = 0, one: int = 0
     ) -> list[sp.Expr]:
         """Return the forces by the law of a phase, for given signals."""
-        seen = self.contacts.seen(parts, sp.Integer(wave), sp.Integer(one))
-        return self.contacts.by_law(p, seen)
+        signals = self.contacts.seen(parts, sp.Integer(wave), sp.Integer(one))
+        return self.contacts.by_law(p, signals)

@@ -77,9 +77,9 @@ class Entries:
 
     def dense(self) -> npt.NDArray[Any]:
         """Return the matrix as a dense array of numbers or of expressions."""
-        found = np.zeros(self.shape, dtype=float if self.is_numeric else object)
-        found[self.rows, self.columns] = self.values
-        return found
+        matrix = np.zeros(self.shape, dtype=float if self.is_numeric else object)
+        matrix[self.rows, self.columns] = self.values
+        return matrix
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,8 +151,8 @@ class Body:
     @property
     def arrays(self) -> Mapping[str, Entries]:
         """M, K, C and forcing, if given, and ``at`` with a column for each contact."""
-        found: Mapping[str, Entries] = self.__dict__["_arrays"]
-        return found
+        arrays: Mapping[str, Entries] = self.__dict__["_arrays"]
+        return arrays
 
     @property
     def size(self) -> int:
@@ -162,10 +162,10 @@ class Body:
     @cached_property
     def symbols(self) -> set[sp.Symbol]:
         """The symbols in its matrices, damping ratio and number of modes."""
-        found: set[sp.Symbol] = set()
+        symbols: set[sp.Symbol] = set()
         for values in (q.values for q in self.arrays.values() if not q.is_numeric):
-            found |= set().union(*(value.free_symbols for value in values))
-        return found | {q for q in (self.ratio, self.modes) if isinstance(q, sp.Symbol)}
+            symbols |= set().union(*(value.free_symbols for value in values))
+        return symbols | {q for q in (self.ratio, self.modes) if isinstance(q, sp.Symbol)}
 
 
 def _size(mass: Any) -> int:
@@ -196,16 +196,16 @@ def entries(field_: str, value: Any, shape: tuple[int, int]) -> Entries:
     if hasattr(value, "tocoo"):
         sparse = value.tocoo()
         sparse = sparse.reshape(-1, 1) if len(sparse.shape) < 2 else sparse
-        (rows, columns), values, found = sparse.coords, sparse.data, sparse.shape
+        (rows, columns), values, extent = sparse.coords, sparse.data, sparse.shape
     else:
         full = _array(field_, value.tolist() if isinstance(value, sp.MatrixBase) else value)
         full = full.reshape(-1, 1) if full.ndim < 2 else full
-        found = full.shape
+        extent = full.shape
         flat = full.reshape(len(full), -1)
         rows, columns = np.nonzero(flat != 0 if flat.dtype == object else flat)
         values = flat[rows, columns]
-    if tuple(found) != shape:
-        size = " x ".join(map(str, found))
+    if tuple(extent) != shape:
+        size = " x ".join(map(str, extent))
         raise SceneError(f"{field_}: got {size} entries, expected {shape[0]} x {shape[1]}")
     places = np.asarray(rows, dtype=np.int64), np.asarray(columns, dtype=np.int64)
     return Entries(shape, *places, _values(field_, np.asarray(values)))
@@ -215,14 +215,14 @@ def _values(field_: str, values: npt.NDArray[Any]) -> Any:
     """Return the values of entries as floats, or as expressions if one has a symbol."""
     with named(field_):
         if values.dtype == object:
-            found = tuple(sp.sympify(value) for value in values)
-            if not all(isinstance(value, sp.Expr) for value in found):
+            expressions = tuple(sp.sympify(value) for value in values)
+            if not all(isinstance(value, sp.Expr) for value in expressions):
                 raise SceneError("expected numbers or expressions")
-            if any(value.free_symbols for value in found):
-                if any(value.has(sp.I, sp.nan, sp.oo, sp.zoo) for value in found):
+            if any(value.free_symbols for value in expressions):
+                if any(value.has(sp.I, sp.nan, sp.oo, sp.zoo) for value in expressions):
                     raise SceneError("expected real and finite entries")
-                return found
-            values = np.array([complex(value) for value in found])
+                return expressions
+            values = np.array([complex(value) for value in expressions])
         if np.iscomplexobj(values) and not values.imag.any():
             values = values.real
         real = np.isrealobj(values) and np.issubdtype(values.dtype, np.number)
@@ -252,8 +252,8 @@ def _check_number(name: str, value: Any, least: float, most: float) -> None:
     """Check the number of modes, or the damping ratio."""
     if value is None or isinstance(value, sp.Symbol):
         return
-    whole = name != "modes" or float(value) == int(value) if _is_number(value) else False
-    if not whole or not least <= value <= most:
+    plausible = name != "modes" or float(value) == int(value) if _is_number(value) else False
+    if not plausible or not least <= value <= most:
         kind = "a number not below 0" if name == "ratio" else f"a whole number, 1 to {most}"
         raise SceneError(f"body: {name}: got {value!r:.40}, expected {kind}, or a parameter")
 

@@ -24,8 +24,8 @@ DENSE = 2000
 
 def units_of_contacts(body: Body) -> dict[sp.Symbol, Dimension]:
     """Return the units of the symbols of the contacts of a body."""
-    each = (zip(q.symbols, UNITS, strict=True) for q in body.at.values())
-    return {symbol: dimension_of(unit) for pairs in each for symbol, unit in pairs}
+    by_contact = (zip(q.symbols, UNITS, strict=True) for q in body.at.values())
+    return {symbol: dimension_of(unit) for pairs in by_contact for symbol, unit in pairs}
 
 
 def check_body(scene: SceneData, units: Units) -> None:
@@ -36,9 +36,9 @@ def check_body(scene: SceneData, units: Units) -> None:
     body = scene.body
     if not isinstance(body, Body):
         raise SceneError(f"body: got {body!r:.60}, expected a Body")
-    known = {q.symbol: q.default for q in scene.parameters}
+    defaults = {q.symbol: q.default for q in scene.parameters}
     with named("body"):
-        check_known(body.symbols, known)
+        check_known(body.symbols, defaults)
     for name, number in (("ratio", body.ratio), ("modes", body.modes)):
         if isinstance(number, sp.Symbol) and units[number] != dimension_of(""):
             raise SceneError(f"body: {name}: {number} has a unit, expected a pure number")
@@ -46,10 +46,10 @@ def check_body(scene: SceneData, units: Units) -> None:
         raise SceneError("body: it has forcing, but the scene has no frequency")
     with named("body"):
         _check_units(body, units)
-    found = {name: at_defaults(q, known) for name, q in body.arrays.items()}
+    arrays = {name: at_defaults(q, defaults) for name, q in body.arrays.items()}
     for name in ("M", "K"):
-        _check_symmetric(name, found[name])
-    _check_positive(found["M"])
+        _check_symmetric(name, arrays[name])
+    _check_positive(arrays["M"])
 
 
 def at_defaults(matrix: Entries, known: Mapping[sp.Symbol, float]) -> Entries:
@@ -64,9 +64,9 @@ def _check_symmetric(name: str, matrix: Entries) -> None:
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     full = sparse.coo_array((matrix.values, (matrix.rows, matrix.columns)), matrix.shape)
-    off = np.abs((full - full.T).data).max(initial=0.0)
-    if off > ROUNDING * np.abs(matrix.values).max(initial=0.0):
-        raise SceneError(f"body: {name}: it is not symmetric, by {off:.3g}")
+    asymmetry = np.abs((full - full.T).data).max(initial=0.0)
+    if asymmetry > ROUNDING * np.abs(matrix.values).max(initial=0.0):
+        raise SceneError(f"body: {name}: it is not symmetric, by {asymmetry:.3g}")
 
 
 def _check_positive(matrix: Entries) -> None:
@@ -80,9 +80,9 @@ def _check_positive(matrix: Entries) -> None:
     from scipy.sparse import csc_array, linalg  # noqa: PLC0415
 
     full = csc_array((matrix.values, (matrix.rows, matrix.columns)), shape=matrix.shape)
-    how: dict[str, Any] = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
+    options: dict[str, Any] = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
     try:
-        factors = linalg.splu(full, permc_spec="MMD_AT_PLUS_A", **how)
+        factors = linalg.splu(full, permc_spec="MMD_AT_PLUS_A", **options)
     except RuntimeError:
         raise SceneError("body: M: it is singular, expected a positive definite one") from None
     if not (factors.U.diagonal() > 0).all():
@@ -91,7 +91,7 @@ def _check_positive(matrix: Entries) -> None:
 
 def _check_units(body: Body, units: Units) -> None:
     """Check that units of entries of M, C, K with parameters differ by powers of time."""
-    found: dict[tuple[int, int], Dimension] = {}
+    dimensions: dict[tuple[int, int], Dimension] = {}
     for power, name in enumerate(("M", "C", "K")):
         matrix = body.arrays.get(name)
         if matrix is None or matrix.is_numeric:
@@ -102,8 +102,8 @@ def _check_units(body: Body, units: Units) -> None:
             with named(f"{name}[{i}, {j}]"):
                 mass, length, time = balance(sp.expand(value), units)
             unit = mass, length, time + power
-            first = found.setdefault((int(i), int(j)), unit)
-            if first != unit:
+            expected = dimensions.setdefault((int(i), int(j)), unit)
+            if expected != unit:
                 raise SceneError(
                     f"{name}[{i}, {j}] is in {spelled((mass, length, time))}, which is not "
                     "that of M, N s/m for kg in C and N/m in K"
@@ -127,16 +127,16 @@ def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
                 raise SceneError(f"got a jump of {symbol}, expected one of {contacts[0].v}")
             check_velocity(value, units)
             row = form(value, scene, f"{field}: jump")
-            kept = {3, place(body_of(scene), symbol)}
-            if any(c != 0 for i, c in enumerate(row) if i not in kept):
+            allowed = {3, place(body_of(scene), symbol)}
+            if any(c != 0 for i, c in enumerate(row) if i not in allowed):
                 raise SceneError(f"got {value}, expected the velocity {symbol} alone in it")
     if phase.held is not None:
         with named(f"{field}: held"):
             speed = sp.sympify(phase.held)
             if len(contacts) > 1:
                 raise SceneError("a body with several contacts cannot be held yet")
-            alone = place(body_of(scene), contacts[0].a)
-            if any(c != 0 for i, c in enumerate(rows[0]) if i != alone):
+            place_of_a = place(body_of(scene), contacts[0].a)
+            if any(c != 0 for i, c in enumerate(rows[0]) if i != place_of_a):
                 raise SceneError(f"got the equation {phase.equation}, expected {contacts[0].a}")
             check_velocity(speed, units)
     elif any(
@@ -149,5 +149,5 @@ def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
 
 def _states(scene: SceneData) -> tuple[sp.Symbol, ...]:
     """Return the symbols in which demands are linear."""
-    each = (q.symbols for q in body_of(scene).at.values())
-    return (*(symbol for symbols in each for symbol in symbols), forcing)
+    by_contact = (q.symbols for q in body_of(scene).at.values())
+    return (*(symbol for symbols in by_contact for symbol in symbols), forcing)

@@ -49,14 +49,14 @@ def form(
     if scene.body is None:
         return state_row(expression, what, remembered)
     symbols = [q for q in (*signals(scene.body), *remembered) if q != 1]
-    *found, rest = parts(sp.sympify(expression), symbols, what)
-    return (*found[:3], rest, *found[3:])
+    *factors, constant = parts(sp.sympify(expression), symbols, what)
+    return (*factors[:3], constant, *factors[3:])
 
 
 def laws(phase: Phase) -> tuple[sp.Expr, ...]:
     """Return the laws of a phase, one for each contact."""
-    found = phase.equation
-    return tuple(found) if isinstance(found, tuple | list) else (found,)
+    equation = phase.equation
+    return tuple(equation) if isinstance(equation, tuple | list) else (equation,)
 
 
 def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
@@ -67,11 +67,11 @@ def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
     SceneError
         If the numbers of laws and contacts differ, or a law has neither force nor acceleration.
     """
-    field, found = f"phase {phase.name}: equation", laws(phase)
+    field, equations = f"phase {phase.name}: equation", laws(phase)
     contacts = list(body_of(scene).at.values())
-    if len(found) != len(contacts):
-        raise SceneError(f"{field}: got {len(found)} laws for {len(contacts)} contacts")
-    rows = [form(law, scene, field) for law in found]
+    if len(equations) != len(contacts):
+        raise SceneError(f"{field}: got {len(equations)} laws for {len(contacts)} contacts")
+    rows = [form(law, scene, field) for law in equations]
     for contact, row in zip(contacts, rows, strict=True):
         f, a = (place(body_of(scene), q) for q in (contact.force, contact.a))
         if row[f] == 0 and row[a] == 0:
@@ -104,14 +104,14 @@ def contact_class(
     jump = dict(left.ends.jump)
     if any(sp.simplify((after - q).subs(values)) != 0 for q, after in jump.items()):
         return 0
-    known = sp.Matrix(list(_known(scene, left, right, sign))).subs(values)
+    vanishing = sp.Matrix(list(_known(scene, left, right, sign))).subs(values)
     for order in range(HIGHEST):
         before = _forces(scene, left, order, sign, "before")
         after = _forces(scene, right, order, 1, "after")
         jumps = sp.Matrix(after).subs(values) - sp.Matrix(before).subs(values)
-        both = DomainMatrix.from_Matrix(sp.Matrix.vstack(known, jumps)).to_field()
-        rows = both[: known.rows, :]
-        if both.rank() > rows.rank():
+        stacked = DomainMatrix.from_Matrix(sp.Matrix.vstack(vanishing, jumps)).to_field()
+        rows = stacked[: vanishing.rows, :]
+        if stacked.rank() > rows.rank():
             return order + 1
     return None
 
@@ -125,66 +125,66 @@ def _row(
     scene: SceneData, given: Sequence[sp.Expr], order: int, sign: int, side: str
 ) -> list[sp.Expr]:
     """Return derivative `order` of a form by time; forces are unknowns, on either side."""
-    found = [sp.Integer(0)] * _width(scene)
+    row = [sp.Integer(0)] * _width(scene)
     body, omega = body_of(scene), scene.frequency or sp.Integer(0)
     for i, contact in enumerate(body.at.values()):
         base = 3 * (HIGHEST + 3) * i
         for shift, symbol in ((0, contact.x), (1, contact.v), (2, contact.a)):
-            found[base + order + shift] += given[place(body, symbol)]
+            row[base + order + shift] += given[place(body, symbol)]
         free = base + (HIGHEST + 3) * (1 if side == "before" else 2)
-        found[free + order] += given[place(body, contact.force)]
+        row[free + order] += given[place(body, contact.force)]
     tail = len(body.at) * 3 * (HIGHEST + 3)
     turned = order % 4
-    found[tail + turned % 2] = given[2] * omega**order * (1, -1, -1, 1)[turned]
+    row[tail + turned % 2] = given[2] * omega**order * (1, -1, -1, 1)[turned]
     if order == 0:
-        found[tail + 2] = sign * given[3]
+        row[tail + 2] = sign * given[3]
         for i, factor in enumerate(given[len(signals(body)) :]):
-            found[tail + 3 + i] = sign * factor
-    return found
+            row[tail + 3 + i] = sign * factor
+    return row
 
 
 def _forces(
     scene: SceneData, phase: Phase, order: int, sign: int, side: str
 ) -> list[list[sp.Expr]]:
     """Return a derivative of each contact force of a phase; that of a held one is unknown."""
-    found = []
+    rows = []
     for contact, row in zip(body_of(scene).at.values(), law_rows(phase, scene), strict=True):
         at = place(body_of(scene), contact.force)
         factor = row[at]
         if factor == 0:
-            own = [sp.Integer(q == at) for q in range(len(row))]
+            force = [sp.Integer(q == at) for q in range(len(row))]
         else:
-            own = [sp.Integer(0) if q == at else -c / factor for q, c in enumerate(row)]
-        found.append(_row(scene, own, order, sign, side))
-    return found
+            force = [sp.Integer(0) if q == at else -c / factor for q, c in enumerate(row)]
+        rows.append(_row(scene, force, order, sign, side))
+    return rows
 
 
 def _known(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
     """Return the rows that vanish at a switch, in the signs of its right side."""
     event = form(left.ends.zero, scene, f"phase {left.name}: ends")
-    known = [[sign * q for q in _row(scene, event, 0, sign, "before")]]
+    rows = [[sign * q for q in _row(scene, event, 0, sign, "before")]]
     for q, force_row in zip(laws(left), _forces(scene, left, 0, sign, "before"), strict=True):
-        own = form(q, scene, "law")
-        if all(own[place(body_of(scene), c.force)] == 0 for c in body_of(scene).at.values()):
+        law = form(q, scene, "law")
+        if all(law[place(body_of(scene), c.force)] == 0 for c in body_of(scene).at.values()):
             continue  # held: its force is an unknown
         contact = list(body_of(scene).at.values())[laws(left).index(q)]
-        unit = [sp.Integer(i == place(body_of(scene), contact.force)) for i in range(len(own))]
+        unit = [sp.Integer(i == place(body_of(scene), contact.force)) for i in range(len(law))]
         free = _row(scene, unit, 0, 1, "before")
-        known.append([f - r for f, r in zip(free, force_row, strict=True)])
+        rows.append([f - r for f, r in zip(free, force_row, strict=True)])
     tail = len(body_of(scene).at) * 3 * (HIGHEST + 3)
     for phase, side in ((left, sign), (right, 1)):
         if phase.held is not None:
             speed = [sp.Integer(0)] * _width(scene)
             speed[1], speed[tail + 2] = sp.Integer(1), -side * sp.sympify(phase.held)
-            known.append(speed)
+            rows.append(speed)
     if left.held is not None:
         for order in range(2, HIGHEST + 3):
             still = [sp.Integer(0)] * _width(scene)
             still[order] = sp.Integer(1)
-            known.append(still)
+            rows.append(still)
     for i, q in enumerate(scene.memory):
         if q.at == right.name:
             row = form(q.value, scene, f"memory {q.symbol}", memory=False)
-            known.append(_row(scene, (*row, *[sp.Integer(0)] * len(scene.memory)), 0, 1, "x"))
-            known[-1][tail + 3 + i] = sp.Integer(-1)
-    return known
+            rows.append(_row(scene, (*row, *[sp.Integer(0)] * len(scene.memory)), 0, 1, "x"))
+            rows[-1][tail + 3 + i] = sp.Integer(-1)
+    return rows

@@ -57,8 +57,8 @@ MUTANTS = (
     Mutant(
         "half a period as long as one of the forcing",
         "codegen/galerkin/condition.py",
-        "turns = sp.pi if self.sign == -1 else 2 * sp.pi",
-        "turns = 2 * sp.pi",
+        "turn = sp.pi if self.sign == -1 else 2 * sp.pi",
+        "turn = 2 * sp.pi",
         (f"{SIDES}[elastic-plastic-ck-tau]",),
     ),
     Mutant(
@@ -108,8 +108,8 @@ MUTANTS = (
     Mutant(
         "derivatives of the moments without their neighbours above",
         "codegen/galerkin/legendre.py",
-        "near = (l + 1) * turned[l + 1]",
-        "near = l * turned[l + 1]",
+        "neighbours = (l + 1) * turned[l + 1]",
+        "neighbours = l * turned[l + 1]",
         (f"{RATES}[S1-ck_tau]",),
         regenerate=True,
     ),

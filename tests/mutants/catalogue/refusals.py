@@ -13,8 +13,8 @@ MUTANTS = (
     Mutant(
         "terms of different units may be added",
         "codegen/scene/units.py",
-        "        if found != expected:",
-        "        if not found:",
+        "        if unit != expected:",
+        "        if not unit:",
         ("tests/scene/test_scene_units.py",),
     ),
     Mutant(
