@@ -56,21 +56,21 @@ def solutions(belt: "StickSlip", order: int) -> list[RealSolution]:
     ArithmeticError
         If two of them coincide.
     """
-    found = []
+    roots = []
     for t1, slip in isolated(order, belt.alpha):
-        stick, rest = t1 / belt.omega_n, slip / belt.omega_n
+        stick, slide = t1 / belt.omega_n, slip / belt.omega_n
         violations: tuple[str, ...] = (f"stick lasts {stick:.3g} s",)
-        off = None
+        mismatch = None
         if t1 > 0:
-            times = np.array([stick, rest]) / belt.units.time
+            times = np.array([stick, slide]) / belt.units.time
             orbit = belt.presented(attempt(kernel(belt.scene, "ck"), belt, order, times))
-            violations, off = orbit.violations, orbit.transition_mismatch
+            violations, mismatch = orbit.violations, orbit.transition_mismatch
         turns = slip / (2 * math.pi)
         if turns > 1 + 1 / (2 * order):
             words = f"slip lasts {turns:.4g} natural periods: within one, the velocity is back"
             violations = (f"{words} at V", *violations)
-        found.append(RealSolution(rest, stick, stick + rest, violations, off))
-    return found
+        roots.append(RealSolution(slide, stick, stick + slide, violations, mismatch))
+    return roots
 
 
 def isolated(order: int, alpha: float) -> list[tuple[float, float]]:
@@ -87,11 +87,11 @@ def isolated(order: int, alpha: float) -> list[tuple[float, float]]:
     [(2.066468, 4.624313), (0.710579, 5.740552), (3.377437, 14.341854)]
     """
     p = polynomial(order, alpha)
-    found = []
+    roots = []
     for slip in (refine(p, *interval) for interval in isolate(p)):
         D, _, W = (_evaluate(part, slip**2) for part in _rational_function(order))
-        found.append((float(slip * W / D), float(slip)))
-    return found
+        roots.append((float(slip * W / D), float(slip)))
+    return roots
 
 
 def alpha_of(order: int, slip: float) -> float:
@@ -106,10 +106,10 @@ def alpha_of(order: int, slip: float) -> float:
 
 def polynomial(order: int, alpha: float) -> Polynomial:
     """Return ``alpha D(s**2) - s E(s**2)`` with coprime integer coefficients."""
-    below, above, _ = _rational_function(order)
+    denominator, numerator, _ = _rational_function(order)
     exact = Fraction(alpha)
     coefficients = []
-    for D, E in zip(below, above, strict=True):
+    for D, E in zip(denominator, numerator, strict=True):
         coefficients += [exact * D, -E]
     while coefficients[-1] == 0:
         coefficients.pop()
@@ -132,9 +132,9 @@ def _rational_function(
     square = Fraction(0)
     while len(places) < order + 2:
         square += 1
-        found = _eliminate(_system(order, square))
-        if found is not None:
-            determinant, solution = found
+        eliminated = _eliminate(_system(order, square))
+        if eliminated is not None:
+            determinant, solution = eliminated
             t1 = square * solution[0] / 6 - 1  # (19): t1 + s = s**2 p_1/6
             places.append(square)
             values.append((determinant, determinant * (t1 - solution[-1]), determinant * t1))
@@ -145,15 +145,15 @@ def _rational_function(
 @cache
 def _parts(n: int) -> dict[int, Fraction]:
     """Return ``P_n*``, integrated twice from 0, by parts in ``P_l*``; ``P_(-1-l)* = -P_l*``."""
-    found: dict[int, Fraction] = {}
-    for l, below in (
+    parts: dict[int, Fraction] = {}
+    for l, divisor in (
         (n + 2, 4 * (2 * n + 1) * (2 * n + 3)),
         (n, -2 * (2 * n - 1) * (2 * n + 3)),
         (n - 2, 4 * (2 * n - 1) * (2 * n + 1)),
     ):
         sign, index = (1, l) if l >= 0 else (-1, -1 - l)
-        found[index] = found.get(index, Fraction(0)) + Fraction(sign, below)
-    return found
+        parts[index] = parts.get(index, Fraction(0)) + Fraction(sign, divisor)
+    return parts
 
 
 def _project(k: int, rho: dict[int, Fraction]) -> Fraction:
@@ -200,8 +200,8 @@ def _eliminate(rows: list[list[Fraction]]) -> tuple[Fraction, list[Fraction]] | 
                     rows[r][c] -= factor * rows[i][c]
     solution = [Fraction(0)] * size
     for i in reversed(range(size)):
-        known = sum((rows[i][c] * solution[c] for c in filled[i] if c < size), Fraction(0))
-        solution[i] = (rows[i][size] - known) / rows[i][i]
+        solved = sum((rows[i][c] * solution[c] for c in filled[i] if c < size), Fraction(0))
+        solution[i] = (rows[i][size] - solved) / rows[i][i]
     return determinant, solution
 
 
@@ -211,14 +211,14 @@ def _interpolate(places: list[Fraction], values: Sequence[Fraction]) -> list[Fra
     for level in range(1, len(places)):
         for i in range(len(places) - 1, level - 1, -1):
             table[i] = (table[i] - table[i - 1]) / (places[i] - places[i - level])
-    result = [table[-1]]
+    coefficients = [table[-1]]
     for i in range(len(places) - 2, -1, -1):
-        shifted = [Fraction(0), *result]
-        for power, value in enumerate(result):
+        shifted = [Fraction(0), *coefficients]
+        for power, value in enumerate(coefficients):
             shifted[power] -= places[i] * value
         shifted[0] += table[i]
-        result = shifted
-    return result
+        coefficients = shifted
+    return coefficients
 
 
 def _evaluate(coefficients: list[Fraction], x: Fraction) -> Fraction:

@@ -39,8 +39,8 @@ def _orders(scene: "LoadedScene") -> list[dict[str, Any]]:
     if not scene.motions:
         return []
     return [
-        {"name": each.motion, "class": f"C{each.k}", "phases": list(each.phases)}
-        for each in scene.each_motion
+        {"name": motion.motion, "class": f"C{motion.k}", "phases": list(motion.phases)}
+        for motion in scene.each_motion
     ]
 
 
@@ -61,8 +61,8 @@ def document(scene: "LoadedScene") -> dict[str, Any]:
         **({"body": _body(scene)} if scene.has_body else {}),
         "phases": [] if scene.motions else _phases(scene),
         "motions": [
-            {**order, "phases": _phases(each)}
-            for order, each in zip(_orders(scene), scene.each_motion, strict=False)
+            {**order, "phases": _phases(motion)}
+            for order, motion in zip(_orders(scene), scene.each_motion, strict=False)
         ],
         "methods": [
             {
@@ -107,8 +107,8 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
 
     name, held = scene.kinds[p]
     words = [word for word, *_ in scene.memory]
-    own = state_of(module.CONTACTS) if scene.has_body else STATE
-    state = (*own, *words)
+    variables = state_of(module.CONTACTS) if scene.has_body else STATE
+    state = (*variables, *words)
     if scene.has_body:
         laws = (f"{linear(law, state)} = 0" for law in rows(module, "laws")[p])
         equation = ", ".join(laws)
@@ -128,7 +128,7 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
             module.SWITCH_DEMANDS[p], rows(module, "switch_demands")[p]
         ),
         "sets": [
-            {"memory": name, "what": what, "expression": named(linear(form, own))}
+            {"memory": name, "what": what, "expression": named(linear(form, variables))}
             for (name, phase, _, what), form in zip(
                 scene.memory, rows(module, "memory"), strict=True
             )
@@ -143,12 +143,12 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
 
 def _jumps(row: tuple[str, ...]) -> str | None:
     """Return the jumps of the velocities at the end of a phase, as text; None without any."""
-    found = (
+    texts = (
         f"x' -> {linear((rho, d), STATE[1::2])}"
         for rho, d in zip(row[::2], row[1::2], strict=True)
         if not (rho in ONE and d in ZERO)
     )
-    return ", ".join(found) or None
+    return ", ".join(texts) or None
 
 
 #: Texts of coefficients that are 0, and 1.
@@ -169,8 +169,8 @@ def state_of(contacts: tuple[str, ...]) -> tuple[str, ...]:
     >>> state_of(("tip", "root"))[4:]
     ('force', "x''", 'x_root', "x_root'", 'force_root', "x_root''")
     """
-    more = (f"{q.format(name)}" for name in contacts[1:] for q in CONTACT)
-    return (*STATE, "force", "x''", *more)
+    further = (f"{q.format(name)}" for name in contacts[1:] for q in CONTACT)
+    return (*STATE, "force", "x''", *further)
 
 
 @cache
@@ -204,7 +204,7 @@ def linear(coefficients: tuple[str, ...], words: tuple[str, ...] = STATE) -> str
     >>> linear(("a + b", "-1", "0", "0"))
     "(a + b) x - x'"
     """
-    found = ""
+    text = ""
     for coefficient, word in zip(coefficients, words, strict=True):
         if coefficient in ZERO:
             continue
@@ -214,8 +214,8 @@ def linear(coefficients: tuple[str, ...], words: tuple[str, ...] = STATE) -> str
         else:  # a constant is not put in parentheses
             minus, term = coefficient.startswith("-"), coefficient.removeprefix("-")
         sign = "-" if minus else "+"
-        found += f" {sign} {term}" if found else f"{'-' if minus else ''}{term}"
-    return found or "0"
+        text += f" {sign} {term}" if text else f"{'-' if minus else ''}{term}"
+    return text or "0"
 
 
 def _text(node: ast.expr) -> str:

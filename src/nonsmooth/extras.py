@@ -31,5 +31,5 @@ def require(library: str, extra: str, what: str, package: str = "") -> None:
     nonsmooth.extras.MissingExtra: a picture needs no_such: pip install 'nonsmooth[plot]'
     """
     if find_spec(library) is None:
-        needed = f"{what} needs {package or library}"
-        raise MissingExtra(f"{needed}: pip install 'nonsmooth[{extra}]'")
+        needs = f"{what} needs {package or library}"
+        raise MissingExtra(f"{needs}: pip install 'nonsmooth[{extra}]'")

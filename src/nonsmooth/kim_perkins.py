@@ -92,8 +92,8 @@ class StickSlip(Case):
         self, *, mass: float, stiffness: float, belt_speed: float, mu_s: float, mu_k: float,
         normal_force: float,
     ) -> None:  # fmt: skip
-        given = (mass, stiffness, belt_speed, mu_s, mu_k, normal_force)
-        super().__init__(load(SCENE), dict(zip(SECTION_4, given, strict=True)))
+        values = (mass, stiffness, belt_speed, mu_s, mu_k, normal_force)
+        super().__init__(load(SCENE), dict(zip(SECTION_4, values, strict=True)))
         for name, value in self.values.items():
             object.__setattr__(self, name, value)
         self._check()
@@ -167,10 +167,10 @@ class StickSlip(Case):
 
     def completed(self, document: dict[str, Any], exact: ExactOrbit | None) -> dict[str, Any]:
         """Return the document of an orbit that was not found with all keys of one that was."""
-        known = document["exact"] | {"t1": exact and exact.durations[0]}
+        entry = document["exact"] | {"t1": exact and exact.durations[0]}
         return super().completed(document, exact) | {
             "transition_mismatch": None,
-            "exact": known,
+            "exact": entry,
         }
 
     def none(self, method: str, order: int, tried: Sequence[str]) -> NoOrbit | None:
@@ -178,12 +178,12 @@ class StickSlip(Case):
         if method != "ck" or order > MOST_ISOLATED:
             return None
         try:
-            found = solutions(self, order)
+            roots = solutions(self, order)
         except ArithmeticError:
             return None
-        if any(not each.violations for each in found):
+        if any(not root.violations for root in roots):
             return None
-        words = f"all {len(found)} real solutions of (18)-(20) at order {order} and alpha = "
+        words = f"all {len(roots)} real solutions of (18)-(20) at order {order} and alpha = "
         words += f"{self.alpha:.6g} were isolated; none is an orbit"
         return NoOrbit(words, True, tuple(tried))
 
@@ -255,11 +255,11 @@ class StickSlipOrbit(_Belt, Orbit):
         """Errors against the exact orbit: `StickSlipErrors`; None if none is found."""
         if self.exact is None:
             return None
-        found = difference(self, self.exact, self.order)
+        general = difference(self, self.exact, self.order)
         t1 = self.durations[0] / self.exact.durations[0] - 1
         apart = acceleration_error(self, self.exact, self.order)
-        own = {"t1": t1, "acceleration": apart, "acceleration_aligned": found.discontinuous}
-        return StickSlipErrors(**vars(found), **own)
+        added = {"t1": t1, "acceleration": apart, "acceleration_aligned": general.discontinuous}
+        return StickSlipErrors(**vars(general), **added)
 
     @cached_property
     def coefficients(self) -> dict[str, float | list[float]]:
@@ -268,14 +268,14 @@ class StickSlipOrbit(_Belt, Orbit):
         ``hb``: ``a0``, ``a``, ``b`` of (3) in m; ``hb-c1``: those of (11), and ``c1`` of the
         printed ``g1`` of (12) in m/s**4; ``c1``: ``d`` of (15), ``d[n]`` in m/s**(n+2).
         """
-        found = super().coefficients
+        coefficients = super().coefficients
         if self.method == "hb-c1":
-            amplitude: Any = found["c1"]
+            amplitude: Any = coefficients["c1"]
             slip = (self.durations[1], -3), (self.period, -1)
-            return found | {"c1": product_of_powers(amplitude, *slip)}
+            return coefficients | {"c1": product_of_powers(amplitude, *slip)}
         if self.method == "ck":
-            return {"d": self._powers(found["d_slip"])}
-        return found
+            return {"d": self._powers(coefficients["d_slip"])}
+        return coefficients
 
     def _powers(self, series: Any) -> list[float]:
         """Return the coefficients of (15) in powers of ``t - t1`` for those in ``P_n*(u)``.
@@ -284,14 +284,14 @@ class StickSlipOrbit(_Belt, Orbit):
         and alternate: of the d_n at high order some digits are lost, of the orbit, which is
         not evaluated from them, none.
         """
-        found = []
+        powers = []
         for k in range(len(series)):
             terms = (
                 series[n] * float((-1) ** (n + k) * math.comb(n, k) * math.comb(n + k, k))
                 for n in range(k, len(series))
             )
-            found.append(product_of_powers(math.fsum(terms), (self.durations[1], -k)))
-        return found
+            powers.append(product_of_powers(math.fsum(terms), (self.durations[1], -k)))
+        return powers
 
     @property
     def further(self) -> Mapping[str, float]:
@@ -300,7 +300,7 @@ class StickSlipOrbit(_Belt, Orbit):
 
     def as_dict(self) -> dict[str, Any]:
         """Return the orbit as the document that ``solve --json`` writes."""
-        found = super().as_dict()
+        document = super().as_dict()
         if self.exact is not None:
-            found["exact"]["t1"] = self.exact.durations[0]
-        return found | {"transition_mismatch": self.transition_mismatch}
+            document["exact"]["t1"] = self.exact.durations[0]
+        return document | {"transition_mismatch": self.transition_mismatch}

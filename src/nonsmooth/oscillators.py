@@ -99,8 +99,8 @@ def solve(
     if motion is not None:
         case = case.of_motion(motion)
     if (tol is not None or budget is not None) and order is not None:
-        what = "a budget" if tol is None else "a tolerance"
-        raise ValueError(f"order: got {order!r} beside {what}, which chooses it")
+        choice = "a budget" if tol is None else "a tolerance"
+        raise ValueError(f"order: got {order!r} beside {choice}, which chooses it")
     if budget is not None:
         if tol is not None:
             raise ValueError(f"budget: got {budget!r} beside a tolerance, expected one of them")

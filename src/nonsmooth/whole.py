@@ -16,14 +16,14 @@ def whole(path: Path) -> Iterator[Path]:
     permissions: what only its owner may read stays so.  An `OSError` is raised if it cannot be
     written; then nothing is left of it.
     """
-    asked = path
+    target = path
     path = Path(os.path.realpath(path))
     try:
         handle, name = tempfile.mkstemp(
             dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix
         )
     except OSError as error:  # of a file that nobody asked for
-        raise OSError(error.errno, error.strerror, str(asked)) from None
+        raise OSError(error.errno, error.strerror, str(target)) from None
     os.close(handle)
     temporary = Path(name)
     try:

@@ -31,10 +31,10 @@ def pool() -> Iterator[ProcessPoolExecutor]:
     They are spawned, not forked: a fork after a parallel kernel can hang.
     """
     count = os.cpu_count() or 1
-    found = ProcessPoolExecutor(count, get_context("spawn"), _leave_with, (os.getpid(),))
+    executor = ProcessPoolExecutor(count, get_context("spawn"), _leave_with, (os.getpid(),))
     try:
-        yield found
+        yield executor
     finally:
-        for process in (getattr(found, "_processes", None) or {}).values():
+        for process in (getattr(executor, "_processes", None) or {}).values():
             process.terminate()
-        found.shutdown(wait=True, cancel_futures=True)
+        executor.shutdown(wait=True, cancel_futures=True)

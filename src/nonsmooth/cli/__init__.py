@@ -63,12 +63,12 @@ class _Commands(click.Group):
         if not isinstance(command, NamedCommand):
             return name, command, rest
         try:
-            chosen, about, others = command.chosen(rest)
+            chosen, about, remaining = command.chosen(rest)
         except (click.UsageError, Problem):
             if ctx.resilient_parsing:  # for completion
                 return name, command, rest
             raise
-        return f"{name} {about}".strip(), chosen, others
+        return f"{name} {about}".strip(), chosen, remaining
 
     def make_context(self, *arguments: Any, **options: Any) -> click.Context:
         with _reader():  # of the version, or of help
@@ -127,10 +127,10 @@ def _fail(message: str, status: int, below: Sequence[str] = ()) -> NoReturn:
 def _said(error: click.UsageError) -> str:
     if isinstance(error, click.NoSuchOption):
         return no_such_option(error)
-    said = error.format_message()
-    if said.startswith("Got unexpected extra argument"):
-        said += "; what a command is about comes first, before all options"
-    return said
+    message = error.format_message()
+    if message.startswith("Got unexpected extra argument"):
+        message += "; what a command is about comes first, before all options"
+    return message
 
 
 def _print_what_can_be() -> None:

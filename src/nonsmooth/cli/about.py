@@ -151,7 +151,7 @@ class CommandAbout(BehindName):
                 check_target(output, verb.suffixes)
             for library in verb.needs:
                 require(*library)
-            own = {q: arguments[q] for q in arguments if not q.startswith(PREFIX)}
+            options = {q: arguments[q] for q in arguments if not q.startswith(PREFIX)}
             flags = {
                 name.removeprefix(PREFIX): value
                 for name, value in arguments.items()
@@ -159,7 +159,7 @@ class CommandAbout(BehindName):
             }
             module, _, name = verb.run.rpartition(".")
             status: int = getattr(import_module(module, __package__), name)(
-                Given(about, said, case, flags), Destination(json_, output), **own
+                Given(about, said, case, flags), Destination(json_, output), **options
             )
             return status
 

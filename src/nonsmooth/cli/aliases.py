@@ -47,8 +47,8 @@ class Once(click.Option):
 def _only(ctx: click.Context, option: click.Parameter, given: tuple[Any, ...]) -> Any:
     """Return the single value of an option; None without it."""
     if len(given) > 1:
-        every = " and ".join(map(str, given))
-        raise Problem(f"{option.opts[0]}: got {every}, expected one of them")
+        listed = " and ".join(map(str, given))
+        raise Problem(f"{option.opts[0]}: got {listed}, expected one of them")
     return given[0] if given else None
 
 

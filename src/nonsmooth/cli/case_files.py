@@ -45,9 +45,9 @@ def read_case(path: Path, tables: Sequence[str]) -> dict[str, object]:
     table = content.get(name)
     if not isinstance(table, dict):
         raise Problem(f"--case: {path} has no table [{name}]")
-    others = sorted(content.keys() - {name})
-    if others:
-        raise Problem(f"--case: {path}: unknown {others[0]!r}, expected only [{name}]")
+    unknown = sorted(content.keys() - {name})
+    if unknown:
+        raise Problem(f"--case: {path}: unknown {unknown[0]!r}, expected only [{name}]")
     return table
 
 

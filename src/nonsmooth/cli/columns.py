@@ -69,18 +69,18 @@ def _parts(table: Table, console: Console) -> list[Table]:
         return [table]
     for column in table.columns[1:]:
         column.header = Text(str(column.header).replace(" [", "\n["))
-    whole = width()
-    beside = whole - console.measure(_only(table, [0])).maximum - 1
+    full = width()
+    beside = full - console.measure(_only(table, [0])).maximum - 1
     longest = max(map(len, " ".join(map(str, table.columns[0].cells)).split()), default=0)
-    if whole > WIDTH and longest + 1 + beside <= WIDTH:
+    if full > WIDTH and longest + 1 + beside <= WIDTH:
         table.columns[0].width = WIDTH - 1 - beside
     if width() <= WIDTH:
         return [table]
     heads = 2 if str(table.columns[1].header) == "N" else 1
-    every, cut = range(len(table.columns)), len(table.columns) - BEHIND
+    columns, cut = range(len(table.columns)), len(table.columns) - BEHIND
     if cut <= heads:
         return [table]
-    parts = _only(table, every[:cut]), _only(table, [*every[:heads], *every[cut:]])
+    parts = _only(table, columns[:cut]), _only(table, [*columns[:heads], *columns[cut:]])
     return [fitting for part in parts for fitting in _parts(part, console)]
 
 
@@ -135,6 +135,6 @@ def without_rounding(values: Iterable[float]) -> list[float]:
     >>> without_rounding([-2.5, -1e-16]), without_rounding([-1e-16, 1e-17])
     ([-2.5, 0.0], [-1e-16, 1e-17])
     """
-    found = list(values)
-    least = ROUNDING * max(map(abs, found), default=0.0)
-    return [value if abs(value) > least else 0.0 for value in found]
+    numbers = list(values)
+    least = ROUNDING * max(map(abs, numbers), default=0.0)
+    return [value if abs(value) > least else 0.0 for value in numbers]

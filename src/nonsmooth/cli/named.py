@@ -108,16 +108,16 @@ class NamedCommand(BehindName):
         `Kind.named`.
         """
         named = said_first(arguments, lambda: {*self.names()} - {self.default})
-        said, rest = named if self.kinds else (None, arguments)
+        said, remaining = named if self.kinds else (None, arguments)
         name = self.default if said is None else said
         if name is None:
-            return self, "", rest
+            return self, "", remaining
         dashed = name.replace("_", "-")
         kinds = self.kinds or (SCENES,)
         kind = next((q for q in kinds if dashed in q.names()), kinds[0])
         module = import_module(f".{kind.package}.commands", __package__)
         command: click.Command = module.command(self.name, kind.named(name), said or "")
-        return command, said or "", rest
+        return command, said or "", remaining
 
     def names(self) -> tuple[str, ...]:
         """Return the names of all shipped scenes or structures."""

@@ -155,8 +155,8 @@ class Destination:
         elif rows is not None and suffix == ".csv":
             from nonsmooth.files import csv_rows
 
-            made = rows()
-            write_whole(self.file, lambda target: csv_rows.write(target, made))
+            table = rows()
+            write_whole(self.file, lambda target: csv_rows.write(target, table))
         else:
             from nonsmooth.files.api import save
 
@@ -171,19 +171,19 @@ def check_folder(path: Path, files: Set[str]) -> None:
     `Problem` names the path and what was expected.
     """
     path = Path(os.path.abspath(path))
-    there = set()
+    names = set()
     if path.exists():
         if not path.is_dir() or path.is_symlink():
             raise Problem(f"-o: {path} is there, expected a folder or a new name")
-        there = {entry.name for entry in path.iterdir()}
+        names = {entry.name for entry in path.iterdir()}
     check_folder_of(path)
-    other = sorted(there - files)
+    foreign = sorted(names - files)
     page = path / PAGE
     ours = page.is_file() and MARK in page.read_text("utf-8", errors="replace")
-    if other or (there and not ours):
-        what = f"has {other[0]} in it" if other else "has a page that is not ours"
+    if foreign or (names and not ours):
+        problem = f"has {foreign[0]} in it" if foreign else "has a page that is not ours"
         raise Problem(
-            f"-o: {path} {what}; expected a new or empty folder, or one that report made"
+            f"-o: {path} {problem}; expected a new or empty folder, or one that report made"
         )
 
 
@@ -196,12 +196,12 @@ def write_folder(path: Path, write: Callable[[Path], None]) -> None:
     temporary = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}-"))
     try:
         with telling(path):
-            made = temporary / "made"
-            made.mkdir(mode=0o777)
-            write(made)
+            fresh = temporary / "made"
+            fresh.mkdir(mode=0o777)
+            write(fresh)
             if path.exists():
                 os.replace(path, temporary / "before")
-            os.replace(made, path)
+            os.replace(fresh, path)
     finally:
         if (temporary / "before").exists() and not path.exists():
             os.replace(temporary / "before", path)

@@ -60,8 +60,8 @@ def is_verbose() -> bool:
 
 def reasons(finding: "NoOrbit") -> tuple[str, ...]:
     """Return why there is no orbit: one sentence, then further findings and what was tried."""
-    found, *known = [finding.reason] if finding.proven else finding.reason.split("; ")
-    return found, *known, *_shortened(finding.tried)
+    sentence, *further = [finding.reason] if finding.proven else finding.reason.split("; ")
+    return sentence, *further, *_shortened(finding.tried)
 
 
 def _shortened(tried: Sequence[str]) -> Iterator[str]:
@@ -80,15 +80,15 @@ def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
 
     What is in `said`, but for the method in front, is not said at length again; it is added.
     """
-    found, *below = reasons(finding)
-    of_what, _, why = found.partition(": ")
-    whole, same = "; ".join((found, *below)), "; ".join((why, *below))
+    sentence, *below = reasons(finding)
+    of_what, _, why = sentence.partition(": ")
+    message, cause = "; ".join((sentence, *below)), "; ".join((why, *below))
     said = set() if said is None else said
-    if whole not in said and same in said:
+    if message not in said and cause in said:
         say(f"{of_what}: no orbit, for the same reasons")
-    elif whole not in said:
-        say(found, below)
-    said.update((whole, same))
+    elif message not in said:
+        say(sentence, below)
+    said.update((message, cause))
 
 
 @contextmanager
@@ -103,8 +103,8 @@ def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[Non
             raise Problem(f"body: {error}") from error
         if str(error).startswith("body: "):
             raise Problem(str(error)) from error
-        name, _, rest = str(error).partition(": ")
-        raise Problem(f"--{names.get(name, name).replace('_', '-')}: {rest}") from error
+        name, _, message = str(error).partition(": ")
+        raise Problem(f"--{names.get(name, name).replace('_', '-')}: {message}") from error
 
 
 @contextmanager
@@ -120,7 +120,7 @@ def wrong_values(of: str = "") -> Iterator[None]:
 
 def print_warnings() -> None:
     """Print warnings of this package as one line on stderr; leave others as they are."""
-    others = warnings.showwarning
+    usual = warnings.showwarning
 
     def show(
         message: Warning | str, category: type[Warning], filename: str, lineno: int,
@@ -129,6 +129,6 @@ def print_warnings() -> None:
         if category.__module__.partition(".")[0] == __package__.partition(".")[0]:
             say(str(message))
         else:
-            others(message, category, filename, lineno, file, line)
+            usual(message, category, filename, lineno, file, line)
 
     warnings.showwarning = show

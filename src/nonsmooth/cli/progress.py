@@ -85,11 +85,11 @@ def _shown_later(display: AbstractContextManager[object]) -> Iterator[None]:
 @contextmanager
 def _lines(task: str) -> Iterator[Callable[[str], None]]:
     """Print a line after `QUIET` seconds and every minute, with the words of the callback."""
-    begin, over, current = time.monotonic(), threading.Event(), [task]
+    begin, finished, current = time.monotonic(), threading.Event(), [task]
 
     def write() -> None:
         pause = QUIET
-        while not over.wait(pause):
+        while not finished.wait(pause):
             pause = MINUTE
             passed = timedelta(seconds=round(time.monotonic() - begin))
             click.echo(f"{current[-1]} ({passed} so far)", err=True)
@@ -102,7 +102,7 @@ def _lines(task: str) -> Iterator[Callable[[str], None]]:
     try:
         yield say
     finally:
-        over.set()
+        finished.set()
         writer.join()
 
 

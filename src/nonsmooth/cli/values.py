@@ -91,8 +91,8 @@ def parse_seconds(text: str) -> float:
     >>> parse_seconds("250us"), parse_seconds("1.5 ms"), parse_seconds("2s")
     (0.00025, 0.0015, 2.0)
     """
-    found = re.fullmatch(r"(\d+(?:\.\d*)?(?:e-?\d+)?)\s*(us|ms|s)", text.strip())
-    value = float(found[1]) * UNITS[found[2]] if found else 0.0
+    match = re.fullmatch(r"(\d+(?:\.\d*)?(?:e-?\d+)?)\s*(us|ms|s)", text.strip())
+    value = float(match[1]) * UNITS[match[2]] if match else 0.0
     if not 0 < value < float("inf"):
         raise Problem(f"--budget: got {text!r}, expected a time like 200us, 1ms or 2s")
     return value
@@ -133,14 +133,14 @@ def parse_vary(
     """
     form = "NAME=FROM:TO" if most is None else "NAME=FROM:TO:POINTS"
     expected = f"expected {form}, such as {example}"
-    name, _, rest = text.partition("=")
-    parts = [part.strip() for part in rest.split(":")]
+    name, _, span = text.partition("=")
+    parts = [part.strip() for part in span.split(":")]
     if len(parts) != (2 if most is None else 3):
         raise Problem(f"{option}: got {text!r}, {expected}")
     parameter = name.strip().replace("-", "_")
     if parameter not in names:
-        known = ", ".join(flag.replace("_", "-") for flag in names)
-        raise Problem(f"{option}: unknown parameter {name!r}, expected one of {known}")
+        listed = ", ".join(flag.replace("_", "-") for flag in names)
+        raise Problem(f"{option}: unknown parameter {name!r}, expected one of {listed}")
     try:
         first, last = number(parts[0]), number(parts[1])
         low, high = sorted((float(first), float(last)))
@@ -170,15 +170,15 @@ def values_of(vary: Vary[Number]) -> list[Number]:
     [Fraction(1, 3), Fraction(5, 12), Fraction(1, 2)]
     """
     number, steps = type(vary.first), vary.count - 1
-    found: list[Number] = [vary.first]
+    values: list[Number] = [vary.first]
     for i in range(1, steps):
         if vary.log:
             between = _part_of_the_way(float(vary.first), float(vary.last), i / steps)
-            found.append(number(repr(between)))
+            values.append(number(repr(between)))
         else:
-            found.append(vary.first + i * ((vary.last - vary.first) / steps))
-    found.append(vary.last)
-    return found
+            values.append(vary.first + i * ((vary.last - vary.first) / steps))
+    values.append(vary.last)
+    return values
 
 
 def _part_of_the_way(first: float, last: float, part: float) -> float:

@@ -116,10 +116,10 @@ def load(path: str | Path, scene: object = None) -> Loaded:
     from . import netcdf  # noqa: PLC0415  (an extra)
 
     file = netcdf.read(source)
-    found = _restored(source, parsed(source, str(file[netcdf.DOCUMENT].values)), scene)
+    loaded = _restored(source, parsed(source, str(file[netcdf.DOCUMENT].values)), scene)
     with refused(source):
-        netcdf.check_same(file, netcdf.arrays_of(*kind_of(found)))
-    return found
+        netcdf.check_same(file, netcdf.arrays_of(*kind_of(loaded)))
+    return loaded
 
 
 def _suffix(path: Path) -> str:
@@ -127,8 +127,8 @@ def _suffix(path: Path) -> str:
     if suffix not in SUFFIXES:
         raise FileError(path, f"expected a name that ends in one of {', '.join(SUFFIXES)}")
     if suffix == ".nc" and not (find_spec("netCDF4") and find_spec("xarray")):
-        needed = "netCDF needs netCDF4 and xarray"
-        raise FileError(path, f"{needed}: pip install 'nonsmooth[netcdf]'")
+        needs = "netCDF needs netCDF4 and xarray"
+        raise FileError(path, f"{needs}: pip install 'nonsmooth[netcdf]'")
     return suffix
 
 
@@ -158,13 +158,13 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
     from nonsmooth.solver.space.modes import Modes  # noqa: PLC0415  (SciPy)
 
     alone = {Sweep: "sweep", Chart: "map", Branch: "branch", Family: "family", Shapes: "shapes"}
-    for each, kind in alone.items():
-        if isinstance(thing, each):
+    for cls, kind in alone.items():
+        if isinstance(thing, cls):
             return kind, [thing]
     several: Any = [thing] if isinstance(thing, Orbit | Modes) else thing
     if _all_are(several, Orbit):
         return "orbits", several
-    if _all_are(several, Modes) and len({found.structure for found in several}) == 1:
+    if _all_are(several, Modes) and len({item.structure for item in several}) == 1:
         return "modes", several
     kinds = (
         "an orbit, a branch, a family, a map, modes, their shapes, a sweep, or a sequence of "

@@ -28,12 +28,12 @@ MODES = (
 
 def write(target: Path, rows: Iterable[Mapping[str, Any]]) -> None:
     """Write rows of the same columns below a line with their names."""
-    every = iter(rows)
-    first = next(every, {})
+    iterator = iter(rows)
+    first = next(iterator, {})
     with target.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(first)
-        writer.writerows(row.values() for row in chain([first] if first else (), every))
+        writer.writerows(row.values() for row in chain([first] if first else (), iterator))
 
 
 def of_orbits(orbits: "Sequence[Orbit]") -> list[dict[str, Any]]:
@@ -57,13 +57,13 @@ def of_simulation(motion: "Simulation") -> list[dict[str, Any]]:
 
 def of_sweep(result: "Sweep") -> list[dict[str, Any]]:
     """Return the rows of a sweep, each with the scene and its parameters behind it."""
-    case, found = result.case, []
+    case, flat_rows = result.case, []
     constants = {"scene": case.scene.name, "motion": case.scene.motion, "cycles": case.cycles}
     for row in result.dictionaries():
         values = _flat(row)
         durations = values.pop("durations")
-        found.append(values | {"durations": durations} | constants | dict(case.values))
-    return found
+        flat_rows.append(values | {"durations": durations} | constants | dict(case.values))
+    return flat_rows
 
 
 def of_family(result: "Family") -> list[dict[str, Any]]:
@@ -72,13 +72,13 @@ def of_family(result: "Family") -> list[dict[str, Any]]:
     constants |= {"order": result.order, "functions": result.functions}
     constants |= {n: value for n, value in result.case.values.items() if n != result.parameter}
     beside = next((row.beside.numbers for row in result.rows if row.beside), {})
-    found = []
+    flat_rows = []
     for row in result.rows:
         values = row.as_dict()
         values[result.parameter] = values.pop("value")
-        more = dict.fromkeys(beside) if row.beside is None else row.beside.numbers
-        found.append(_flat(values) | more | constants)
-    return found
+        numbers = dict.fromkeys(beside) if row.beside is None else row.beside.numbers
+        flat_rows.append(_flat(values) | numbers | constants)
+    return flat_rows
 
 
 def of_modes(
@@ -116,15 +116,15 @@ ROWS: Mapping[str, Callable[[Sequence[Any]], Iterable[dict[str, Any]]]] = {
 
 def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
     """Return a row with durations in one cell, and numbers that have names behind the rest."""
-    found = {name: value for name, value in row.items() if not isinstance(value, Mapping)}
-    found["durations"] = " ".join(map(repr, row["durations"] or ()))
+    cells = {name: value for name, value in row.items() if not isinstance(value, Mapping)}
+    cells["durations"] = " ".join(map(repr, row["durations"] or ()))
     if "multipliers" in row:
-        found["strobe"] = " ".join(map(repr, row["strobe"] or ()))
-        parts = (complex(each["re"], each["im"]) for each in row["multipliers"] or ())
-        found["multipliers"] = " ".join(f"{q.real!r}{q.imag:+}j" for q in parts)
+        cells["strobe"] = " ".join(map(repr, row["strobe"] or ()))
+        parts = (complex(number["re"], number["im"]) for number in row["multipliers"] or ())
+        cells["multipliers"] = " ".join(f"{q.real!r}{q.imag:+}j" for q in parts)
     for key, ends in row.get("extremes", {}).items():
-        found[f"least_{key}"], found[f"largest_{key}"] = ends or (None, None)
+        cells[f"least_{key}"], cells[f"largest_{key}"] = ends or (None, None)
     for name in ("errors", "estimate"):
         for key, value in row.get(name, {}).items():
-            found[f"{name.removesuffix('s')}_{key}"] = value
-    return found
+            cells[f"{name.removesuffix('s')}_{key}"] = value
+    return cells

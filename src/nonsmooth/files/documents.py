@@ -67,15 +67,15 @@ def document_of(kind: str, several: Sequence[Any]) -> dict[str, Any]:
     if kind == "modes":
         return of_modes(several) | origin_of_modes(first.structure)
     if kind == "shapes":
-        made = origin_of_modes(first.attached.structure)
-        return dict(first.as_dict() | made | {"units": made["units"] | first.table().units})
+        added = origin_of_modes(first.attached.structure)
+        return dict(first.as_dict() | added | {"units": added["units"] | first.table().units})
     if kind == "sweep":
         return dict(first.as_dict() | origin(first.case, first.rates()))
     if kind in {"branch", "map"}:
         used = [first.method] if kind == "branch" and first.order else ()
         return dict(first.as_dict() | origin(first.case, used))
-    found = [result.as_dict() | origin(result.case, [result.method]) for result in several]
-    return found[0] if len(found) == 1 else {"scene": first.case.scene.name, "orbits": found}
+    orbits = [result.as_dict() | origin(result.case, [result.method]) for result in several]
+    return orbits[0] if len(orbits) == 1 else {"scene": first.case.scene.name, "orbits": orbits}
 
 
 def of_each(
@@ -96,8 +96,8 @@ def of_modes(found: "Sequence[Modes]") -> dict[str, Any]:
     documents = [expansion.as_dict() for expansion in found]
     if len(documents) == 1:
         return documents[0]
-    same = same_of_all(documents)
-    head = {name: same[name] for name in SAID_ONCE if name in same}
+    shared = same_of_all(documents)
+    head = {name: shared[name] for name in SAID_ONCE if name in shared}
     return head | {"expansions": documents}
 
 

@@ -44,10 +44,10 @@ def digest(document: Mapping[str, Any]) -> str:
     """
     head = {key: value for key, value in document.items() if key not in (DIGEST, ROWS)}
     rows = document.get(ROWS)
-    found = hashlib.sha256(_canonical(head))
+    sha = hashlib.sha256(_canonical(head))
     for row in rows if isinstance(rows, list) else [rows]:
-        found.update(_canonical(row))
-    return found.hexdigest()
+        sha.update(_canonical(row))
+    return sha.hexdigest()
 
 
 def parsed(path: Path, text: bytes | str) -> dict[str, Any]:
@@ -77,10 +77,10 @@ def check_schema(path: Path, schema: object) -> None:
 
 def check_digest(path: Path, document: Mapping[str, Any]) -> None:
     """Warn of a document that has no digest, or another than that of its content."""
-    found = document.get(DIGEST)
-    if found is None:
+    stated = document.get(DIGEST)
+    if stated is None:
         problem = "has no digest (sha256): whether it was changed cannot be told"
-    elif found != digest(document):
+    elif stated != digest(document):
         problem = "was changed since it was written: its digest (sha256) is another"
     else:
         return

@@ -68,20 +68,20 @@ def arrays_of(kind: str, several: Sequence[Any]) -> xr.Dataset:
     if len(tables) > 1 and kind == "orbits":
         return _motions(tables)
     table = tables[0] if len(tables) == 1 else _joined(tables)
-    found: xr.Dataset = dataset(table)
-    known = {q: table.about[q] for q in HOW if q in table.about and q not in found}
-    return found.assign_coords(known)
+    arrays: xr.Dataset = dataset(table)
+    coordinates = {q: table.about[q] for q in HOW if q in table.about and q not in arrays}
+    return arrays.assign_coords(coordinates)
 
 
 def _motions(tables: Sequence[Table]) -> xr.Dataset:
     """Return several motions as arrays, with the coordinates `t`, `method` and `order`."""
-    about, units = [table.about for table in tables], tables[0].units
-    arrays: dict[str, Any] = {name: ("orbit", [each[name] for each in about]) for name in HOW}
+    heads, units = [table.about for table in tables], tables[0].units
+    arrays: dict[str, Any] = {name: ("orbit", [each[name] for each in heads]) for name in HOW}
     for name in tables[0].columns:
         values = np.array([table.columns[name] for table in tables])
         unit = {"units": units[name]} if name in units else {}
         arrays[name] = (("orbit", "sample"), values, unit)
-    return xr.Dataset(arrays, attrs=same_of_all(about)).set_coords(["t", *HOW])
+    return xr.Dataset(arrays, attrs=same_of_all(heads)).set_coords(["t", *HOW])
 
 
 def _joined(tables: Sequence[Table]) -> Table:
@@ -89,14 +89,14 @@ def _joined(tables: Sequence[Table]) -> Table:
 
     What is the same of all is said of the whole; what is not has a column.
     """
-    same = same_of_all([table.about for table in tables])
+    shared = same_of_all([table.about for table in tables])
     rows = [
         {"expansion": place} | row
         for place, table in enumerate(tables, 1)
         for row in table.rows()
     ]
-    columns = {name: [row[name] for row in rows] for name in rows[0] if name not in same}
-    return Table(("expansion", "number"), columns, tables[0].units, same)
+    columns = {name: [row[name] for row in rows] for name in rows[0] if name not in shared}
+    return Table(("expansion", "number"), columns, tables[0].units, shared)
 
 
 def read(path: Path) -> xr.Dataset:
@@ -124,9 +124,9 @@ def check_seal(path: Path) -> None:
     with path.open("rb") as file:
         size = max(path.stat().st_size - SEALED, 0)
         file.seek(size)
-        found = file.read()
+        seal = file.read()
         file.seek(0)
-        if found.startswith(SEAL) and found != _seal(file.read(size)):
+        if seal.startswith(SEAL) and seal != _seal(file.read(size)):
             raise damaged(path, "its bytes are not those of its digest (sha256)")
 
 
@@ -142,10 +142,10 @@ def check_same(file: xr.Dataset, expected: xr.Dataset) -> None:
     """
     for name, variable in expected.variables.items():
         check(name in file.variables, f"{name} is missing")
-        there, here = file[name].values, variable.values
-        equal = there.shape == here.shape
-        if equal and here.dtype.kind in "OU":
-            equal = there.astype(str).tolist() == here.astype(str).tolist()
+        stored, computed = file[name].values, variable.values
+        equal = stored.shape == computed.shape
+        if equal and computed.dtype.kind in "OU":
+            equal = stored.astype(str).tolist() == computed.astype(str).tolist()
         elif equal:
-            equal = np.allclose(there.astype(float), here.astype(float), SAME, 0, True)
+            equal = np.allclose(stored.astype(float), computed.astype(float), SAME, 0, True)
         check(equal, f"{name} is not what its document says")

@@ -62,32 +62,32 @@ def result_in(path: Path, document: Mapping[str, Any], scene: object = None) -> 
         if not {"functions", "rates"} & document.keys():  # rows of ``digits``
             raise other_kind(path)
         return _sweep(path, document, _case(path, document, scene))
-    every = document.get("orbits", [document])
-    if not all("converged" in each for each in every):
+    entries = document.get("orbits", [document])
+    if not all("converged" in entry for entry in entries):
         raise other_kind(path)
-    found = [_orbit(path, document | each, scene) for each in every if each["converged"]]
-    if "orbits" not in document and not found:
+    orbits = [_orbit(path, document | entry, scene) for entry in entries if entry["converged"]]
+    if "orbits" not in document and not orbits:
         raise FileError(path, f"no orbit: {'; '.join(document['violations'])}")
-    return found if "orbits" in document else found[0]
+    return orbits if "orbits" in document else orbits[0]
 
 
 def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
     name = document["scene"]
     try:
-        found = find(name if scene is None else scene)
+        loaded = find(name if scene is None else scene)
     except (UnknownScene, TypeError) as error:
         if scene is not None:
             raise FileError(path, str(error)) from error
         hint = "give its file or the scene itself as `scene`"
         raise FileError(path, f"of the scene {name!r}, which is not shipped: {hint}") from error
-    if found.name != name:
-        raise FileError(path, f"of the scene {name!r}, got {found.name!r}")
+    if loaded.name != name:
+        raise FileError(path, f"of the scene {name!r}, got {loaded.name!r}")
     if document.get("motion") is not None:
-        found = motion_of(found, document["motion"])
-    given = document["parameters"]
-    missing = [q.name for q in found.parameters if q.name not in given]
+        loaded = motion_of(loaded, document["motion"])
+    values = document["parameters"]
+    missing = [q.name for q in loaded.parameters if q.name not in values]
     checks.check(not missing, f"parameters without {', '.join(missing)}")
-    return as_in_paper(Case(found, given, document.get("cycles", 1)))
+    return as_in_paper(Case(loaded, values, document.get("cycles", 1)))
 
 
 def _check_mathematics(
@@ -95,18 +95,18 @@ def _check_mathematics(
     *choices: Iterable[str],
 ) -> None:  # fmt: skip
     """Refuse what was computed with other equations than those here, by one of the choices."""
-    found = document["mathematics"]
-    if found not in {mathematics(scene, methods) for methods in choices}:
-        raise FileError(path, f"{what} of other equations ({found}): compute it anew")
+    stored = document["mathematics"]
+    if stored not in {mathematics(scene, methods) for methods in choices}:
+        raise FileError(path, f"{what} of other equations ({stored}): compute it anew")
 
 
 def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
     case = _case(path, document, scene)
     method = generic_method(case.scene, document["method"])
     functions, order = document.get("functions"), document["order"]
-    every = [each["method"] for each in document.get("orbits", [document])]
+    methods = [entry["method"] for entry in document.get("orbits", [document])]
     if document["schema"] > 1:  # of the first the kernels are not there: see the residual
-        _check_mathematics(path, document, "an orbit", case.scene, [method], every)
+        _check_mathematics(path, document, "an orbit", case.scene, [method], methods)
     if document.get("outcome") is None:
         raise FileError(path, "an orbit without its unknowns, from before these were written")
     outcome = document["outcome"]
@@ -161,8 +161,8 @@ def _family(path: Path, document: Mapping[str, Any], case: Case) -> Family:
     count = document["vary"]["count"]
     checks.check(len(rows) == count > 0, f"{len(rows)} rows of {count}")
     method = generic_method(case.scene, document["method"])
-    how = (parameter, method, document["order"], document["functions"])
-    return Family(case, *how, tuple(rows))
+    expansion = (parameter, method, document["order"], document["functions"])
+    return Family(case, *expansion, tuple(rows))
 
 
 def _branch(document: Mapping[str, Any], case: Case) -> Branch:
@@ -172,15 +172,15 @@ def _branch(document: Mapping[str, Any], case: Case) -> Branch:
         case.with_value(parameter, point["parameter"])
         for duration in point["durations"]:
             checks.not_negative("duration", duration)
-        how = {"motion": point["motion"], "stable": point["stable"]} | _multipliers(point)
-        how["beside"] = _beside(point.get("beside"))
+        extras = {"motion": point["motion"], "stable": point["stable"]} | _multipliers(point)
+        extras["beside"] = _beside(point.get("beside"))
         times, ends = _times(point), _ends(point["extremes"])
-        rows.append(FamilyRow(point["parameter"], "ok", *times, ends, None, 0, True, **how))
+        rows.append(FamilyRow(point["parameter"], "ok", *times, ends, None, 0, True, **extras))
     events = tuple(BranchEvent(**event) for event in document["events"])
     why = document["why_it_ended"]
-    found = tuple(rows), events, (why["start"], why["end"])
+    contents = tuple(rows), events, (why["start"], why["end"])
     method, order = document.get("method", "exact"), document.get("order", 0)
-    return Branch(case, parameter, method, order, document.get("functions"), *found)
+    return Branch(case, parameter, method, order, document.get("functions"), *contents)
 
 
 def _beside(given: Mapping[str, Any] | None) -> Beside | None:
@@ -197,19 +197,19 @@ def _map(document: Mapping[str, Any], case: Case) -> Chart:
     values = np.array(document["axes"][first]), np.array(document["axes"][second])
     shape = len(values[1]), len(values[0])
     motion, stable = np.array(document["motion"]), np.array(document["stable"])
-    for name, found in (("motion", motion), ("stable", stable)):
-        problem = f"the shape of {name} is {found.shape!r}, expected {shape!r}"
-        checks.check(found.shape == shape, problem)
+    for name, array in (("motion", motion), ("stable", stable)):
+        problem = f"the shape of {name} is {array.shape!r}, expected {shape!r}"
+        checks.check(array.shape == shape, problem)
     motions = document["motions"]
     checks.check({*motion.ravel()} - {None} == {*motions}, "motion and motions differ")
     index = np.array([[motions.index(q) if q else -1 for q in row] for row in motion])
-    known = np.array([[-1 if q is None else int(q) for q in row] for row in stable])
+    codes = np.array([[-1 if q is None else int(q) for q in row] for row in stable])
     curves = (
         EventCurve(q["kind"], q["motion"], np.array(q["points"]), (why["start"], why["end"]))
         for q in document["curves"]
         for why in [q["why_it_ended"]]
     )
-    return Chart(case, (first, second), values, tuple(motions), index, known, tuple(curves))
+    return Chart(case, (first, second), values, tuple(motions), index, codes, tuple(curves))
 
 
 def _parameter(case: Case, name: Any) -> Any:
@@ -230,8 +230,8 @@ def _ends(extremes: Mapping[str, Any]) -> dict[str, Any]:
 
 def _multipliers(row: Mapping[str, Any]) -> dict[str, Any]:
     """Return multipliers and strobe of a row; files from before these have none."""
-    found = row.get("multipliers")
-    values = found and tuple(complex(each["re"], each["im"]) for each in found)
+    pairs = row.get("multipliers")
+    values = pairs and tuple(complex(pair["re"], pair["im"]) for pair in pairs)
     strobe = row.get("strobe")
     return {"multipliers": values, "strobe": strobe and tuple(strobe)}
 

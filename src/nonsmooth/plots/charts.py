@@ -54,14 +54,14 @@ def draw(result: "Chart", ax: Any = None) -> Any:
     if (result.index < 0).any():
         handles.append(Patch(facecolor="white", edgecolor="0.3", label="no orbit found"))
     for kind in dict.fromkeys(curve.kind for curve in result.curves):
-        every = [curve.points for curve in result.curves if curve.kind == kind]
-        for points in every:
+        curves = [curve.points for curve in result.curves if curve.kind == kind]
+        for points in curves:
             (line,) = axes.plot(*points.T, color="black", linestyle=LINES[kind], linewidth=1.2)
         line.set_label(kind)
         handles.append(line)
     axes.set(xlim=(a[0], a[-1]), ylim=(b[0], b[-1]))
-    along, up = (name_of(result.case.scene, name) for name in result.parameters)
-    axes.set(xlabel=along, ylabel=up)
+    x_name, y_name = (name_of(result.case.scene, name) for name in result.parameters)
+    axes.set(xlabel=x_name, ylabel=y_name)
     axes.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0,
         frameon=False, fontsize=8, handlelength=3,
@@ -71,12 +71,12 @@ def draw(result: "Chart", ax: Any = None) -> Any:
 
 def _hatch(axes: Any, result: "Chart") -> None:
     """Hatch the points with an orbit that is not known to be stable."""
-    here = (result.index >= 0) & (result.stable != 1)
-    if here.any():
+    unstable = (result.index >= 0) & (result.stable != 1)
+    if unstable.any():
         edges = [_edges(each) for each in result.values]
-        found = np.repeat(np.repeat(here, 2, axis=0), 2, axis=1)
+        mask = np.repeat(np.repeat(unstable, 2, axis=0), 2, axis=1)
         axes.contourf(
-            *(np.repeat(each, 2)[1:-1] for each in edges), found, levels=[0.5, 1.5],
+            *(np.repeat(each, 2)[1:-1] for each in edges), mask, levels=[0.5, 1.5],
             colors="none", hatches=[HATCH],
         )  # fmt: skip
 
@@ -91,11 +91,11 @@ def _number(axes: Any, result: "Chart", i: int) -> None:
     """Draw the number of a motion where its region is widest."""
     from scipy.ndimage import distance_transform_edt  # noqa: PLC0415  (200 ms)
 
-    here = result.index == i
-    if here.mean() < LEAST:
+    region = result.index == i
+    if region.mean() < LEAST:
         return
-    inside = distance_transform_edt(np.pad(here, 1))[1:-1, 1:-1]
-    row, column = np.unravel_index(int(inside.argmax()), here.shape)
+    depths = distance_transform_edt(np.pad(region, 1))[1:-1, 1:-1]
+    row, column = np.unravel_index(int(depths.argmax()), region.shape)
     a, b = result.values
     axes.text(
         a[column], b[row], str(i + 1), ha="center", va="center", fontsize=9,

@@ -61,9 +61,9 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
     if quantity == "times":
         _draw_times(axes, result, {"linewidth": 1.2, "color": "0.2"} | style)
     else:
-        for one in _columns(result.rows, quantity):
-            _lines(axes, result, one, look)
-            _marks(axes, result, one)
+        for column in _columns(result.rows, quantity):
+            _lines(axes, result, column, look)
+            _marks(axes, result, column)
         if quantity == "estimate":
             axes.set_yscale("log")
         axes.set_ylabel(QUANTITIES[quantity])
@@ -84,14 +84,14 @@ def _value(row: "FamilyRow", quantity: str, end: int) -> float | None:
     if row.extremes is None:
         return None
     low, high = row.extremes["displacement"]
-    others = {
+    numbers = {
         "multiplier": row.largest_multiplier,
         "estimate": None if row.estimate is None else row.estimate.times,
         "period": row.period,
         "strobe": None if row.strobe is None else row.strobe[0],
         "amplitude": (high - low) / 2,
     }
-    return row.extremes[quantity][end] if quantity in row.extremes else others[quantity]
+    return row.extremes[quantity][end] if quantity in row.extremes else numbers[quantity]
 
 
 def _lines(axes: Any, result: "Family", values: "Vector", look: dict[str, Any]) -> None:
@@ -108,30 +108,30 @@ def _lines(axes: Any, result: "Family", values: "Vector", look: dict[str, Any]) 
 def _runs(result: "Family") -> "Iterator[tuple[bool | None, list[int]]]":
     """Yield runs of equal stability; of a branch, each begins with the last row before it."""
     rows = result.rows
-    found = [i for i, row in enumerate(rows) if row.status == "ok"]
+    indices = [i for i, row in enumerate(rows) if row.status == "ok"]
     if not result.in_turn:
         for stable in LINES:
-            run = [i for i in found if rows[i].stable is stable]
+            run = [i for i in indices if rows[i].stable is stable]
             if run:
                 yield stable, run
         return
-    told = [rows[i].stable for i in found]
-    known = {rows[i].motion for i in found if rows[i].stable is not None}
-    for i in range(1, len(told)):  # unknown at an event: drawn as the orbit before
-        if told[i] is None and rows[found[i]].motion in known:
-            told[i] = told[i - 1]
-    for stable, same in groupby(range(len(found)), key=lambda i: told[i]):
-        run = list(same)
-        yield stable, found[max(run[0] - 1, 0) : run[-1] + 1]
+    verdicts = [rows[i].stable for i in indices]
+    judged = {rows[i].motion for i in indices if rows[i].stable is not None}
+    for i in range(1, len(verdicts)):  # unknown at an event: drawn as the orbit before
+        if verdicts[i] is None and rows[indices[i]].motion in judged:
+            verdicts[i] = verdicts[i - 1]
+    for stable, group in groupby(range(len(indices)), key=lambda i: verdicts[i]):
+        run = list(group)
+        yield stable, indices[max(run[0] - 1, 0) : run[-1] + 1]
 
 
 def _marks(axes: Any, result: "Family", values: "Vector") -> None:
     """Mark the events of a branch."""
     along = result["value"]
     for event in getattr(result, "events", ()):
-        here = along == event.parameter  # two rows where the order of phases changes
+        hits = along == event.parameter  # two rows where the order of phases changes
         axes.plot(
-            along[here][:1], values[here][:1], MARKS[event.kind], color="0.1", markersize=6,
+            along[hits][:1], values[hits][:1], MARKS[event.kind], color="0.1", markersize=6,
             markerfacecolor="none", **_label(axes, event.kind),
         )  # fmt: skip
 

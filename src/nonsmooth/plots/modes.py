@@ -121,11 +121,11 @@ def modes_figure(found: "Sequence[Modes]") -> Figure:
 
 def _draw_pair(found: "Sequence[Modes]", pair: Any, number: int) -> None:
     """Draw one mode, and its discontinuous derivative, of each expansion that has this mode."""
-    those = [expansion for expansion in found if number <= len(expansion)]
-    for panel, what in zip(pair, QUANTITIES, strict=True):
-        draw_exact(those[0], panel, what, number)
-        for expansion in those:
-            _draw_mode(expansion, panel, what, number, {})
+    with_mode = [expansion for expansion in found if number <= len(expansion)]
+    for panel, quantity in zip(pair, QUANTITIES, strict=True):
+        draw_exact(with_mode[0], panel, quantity, number)
+        for expansion in with_mode:
+            _draw_mode(expansion, panel, quantity, number, {})
 
 
 def _places(attached: Any) -> Any:
@@ -133,16 +133,16 @@ def _places(attached: Any) -> Any:
     a, length = float(attached.a), attached.length
     even = np.linspace(0, 1, POINTS)
     near = a + np.concatenate([-np.geomspace(1e-9, 0.05, 300), np.geomspace(1e-9, 0.05, 300)])
-    found = np.concatenate([even[even != a], near[(near > 0) & (near < 1)]])
-    return np.clip(np.sort(found) * length, 0, length)
+    places = np.concatenate([even[even != a], near[(near > 0) & (near < 1)]])
+    return np.clip(np.sort(places) * length, 0, length)
 
 
 def _apart(attached: Any, x: Any, values: Any) -> Any:
     """Return values with a NaN at the attachment, which interrupts the curve."""
-    found = np.array(values)
+    interrupted = np.array(values)
     place = int(np.searchsorted(x, float(attached.a) * attached.length))
-    found[min(place, len(found) - 1)] = np.nan
-    return found
+    interrupted[min(place, len(interrupted) - 1)] = np.nan
+    return interrupted
 
 
 def draw_exact(modes: "Modes", axes: Any, quantity: str, number: int) -> None:
@@ -205,12 +205,12 @@ def draw_convergence(
 def convergence_figure(study: "Convergence") -> Figure:
     """Draw the errors of eigenvalue and discontinuous derivative against the unknowns."""
     figure = Figure(figsize=(8, 4.2), layout="constrained")
-    both = figure.subplots(1, 2)
-    for axes, quantity in zip(both, ERRORS, strict=True):
+    panels = figure.subplots(1, 2)
+    for axes, quantity in zip(panels, ERRORS, strict=True):
         draw_convergence(study, axes, quantity)
         axes.set_title(f"{axes.get_ylabel()}, mode {study.number}")
     words = f"{study.attached.structure.name}: {study.attached.described()}"
-    frame(figure, both[0], words, 5)
+    frame(figure, panels[0], words, 5)
     return figure
 
 
@@ -229,6 +229,6 @@ def family_figure(
     figure.legend(loc="outside right center", frameon=False)
     expansion = found[0]
     words = f"{expansion.structure.name} by {expansion.shown}, N = {expansion.order}"
-    said = expansion.attached.described(name.replace("-", "_"))
-    say_below(figure, f"{words}: {said}")
+    parameters = expansion.attached.described(name.replace("-", "_"))
+    say_below(figure, f"{words}: {parameters}")
     return figure

@@ -57,20 +57,20 @@ def line(motion: Any) -> dict[str, Any]:
 
 def beyond(part: Vector, values: Vector) -> tuple[Vector, Vector]:
     """Return times relative to the period and values, continued to `BEYOND` periods."""
-    again = part < BEYOND - 1
-    return np.append(part, 1 + part[again]), np.append(values, values[again])
+    repeated = part < BEYOND - 1
+    return np.append(part, 1 + part[repeated]), np.append(values, values[repeated])
 
 
 def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:
     """Draw phase plane, displacement, velocity and acceleration of orbits and the exact one."""
-    every = [*([] if exact is None else [exact]), *orbits]
+    motions = [*([] if exact is None else [exact]), *orbits]
     figure = Figure(figsize=(8, 6), layout="constrained")
     panels = figure.subplots(2, 2).ravel()
-    for motion in every:
+    for motion in motions:
         for axes, quantity in zip(panels, (PLANE, *HISTORIES), strict=True):
             draw(motion, axes, quantity)
     panels[0].set(title="periodic orbit")
-    frame(figure, panels[0], described(every[0].case))
+    frame(figure, panels[0], described(motions[0].case))
     return figure
 
 

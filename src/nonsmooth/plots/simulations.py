@@ -54,18 +54,18 @@ def _columns(motion: "Simulation") -> dict[str, Any]:
     """Return times and quantities along a motion, at about `POINTS` instants of each wave."""
     waves = sum(q.s / q.wave(motion.case.cell.omega) for q in motion.segments)
     samples = motion.samples(min(POINTS, MOST / max(waves, 1.0)))
-    found = map(np.concatenate, zip(*samples, strict=True))
-    return dict(zip(("t", *motion.quantities), found, strict=True))
+    columns = map(np.concatenate, zip(*samples, strict=True))
+    return dict(zip(("t", *motion.quantities), columns, strict=True))
 
 
 def _drawn(
     columns: dict[str, Any], axes: Any, quantity: str, *, since: float = 0.0, **style: Any
 ) -> Any:
     """Draw a quantity of a motion, or its phase plane, from a time on; return the axes."""
-    late = columns["t"] >= since
+    shown = columns["t"] >= since
     look = {"color": "0.25", "linewidth": 0.8} | style
     x, y = ("displacement", "velocity") if quantity == PLANE else ("t", quantity)
-    axes.plot(columns[x][late], columns[y][late], **look)
+    axes.plot(columns[x][shown], columns[y][shown], **look)
     labels = LABELS | {"t": "$t$ [s]"}
     axes.set(xlabel=labels[x], ylabel=labels[y])
     return axes
@@ -129,12 +129,12 @@ def draw_basins(result: "Basins", ax: Any = None) -> Any:
         result.x, result.v, result.index, cmap=ListedColormap(colors), vmin=-2.5,
         vmax=count - 0.5, shading="nearest", rasterized=True,
     )  # fmt: skip
-    for i, each in enumerate(result.attractors):
-        x, v = np.array(each.states).T
-        every = "each period" if each.cycles == 1 else f"every {each.cycles} periods"
+    for i, attractor in enumerate(result.attractors):
+        x, v = np.array(attractor.states).T
+        when = "each period" if attractor.cycles == 1 else f"every {attractor.cycles} periods"
         axes.plot(
             x, v, MARKS[i % len(MARKS)], color=colors[2 + i], markeredgecolor="black",
-            label=f"{every}, x = {x[0]:.3g} m",
+            label=f"{when}, x = {x[0]:.3g} m",
         )  # fmt: skip
     axes.set(xlabel="displacement [m]", ylabel="velocity [m/s]")
     if ax is None:

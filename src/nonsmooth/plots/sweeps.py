@@ -45,11 +45,11 @@ def derivative(order: int) -> str:
 def convergence_figure(result: "Sweep") -> Figure:
     """Draw the errors of the times and of the derivative that jumps against the order."""
     figure = Figure(figsize=(8, 4.2), layout="constrained")
-    both = figure.subplots(1, 2)
-    for axes, quantity in zip(both, QUANTITIES, strict=False):
+    panels = figure.subplots(1, 2)
+    for axes, quantity in zip(panels, QUANTITIES, strict=False):
         draw(result, axes, quantity)
         axes.set_title(axes.get_ylabel())
-    frame(figure, both[0], described(result.case))
+    frame(figure, panels[0], described(result.case))
     return figure
 
 
@@ -62,9 +62,9 @@ def trade_figure(result: "Trade") -> Figure:
     figure = Figure(figsize=(7, 4.5), layout="constrained")
     axes = figure.subplots()
     best = sorted((p.seconds, p.error) for p in result.points if p.front)
-    wide: dict[str, Any] = {"color": "0.8", "linewidth": 5, "zorder": 1}
+    backdrop: dict[str, Any] = {"color": "0.8", "linewidth": 5, "zorder": 1}
     if len(best) > 1:
-        axes.step(*zip(*best, strict=True), where="post", label="the front", **wide)
+        axes.step(*zip(*best, strict=True), where="post", label="the front", **backdrop)
     for method in dict.fromkeys(point.method for point in result.points):
         points = result.front_of(method)
         look = {"color": "0.2", "marker": "*"} if method == EXACT else about(method).look

@@ -34,14 +34,14 @@ def plate(belt: ns.StickSlip, number: int) -> Figure:
     (names,) = (list(plate.pictures) for plate in PLATES if plate.number == number)
     columns = min(len(names), 2)
     rows = math.ceil(len(names) / columns)
-    made = Figure(figsize=(columns * SIZE[0], rows * SIZE[1]), layout="constrained")
+    fig = Figure(figsize=(columns * SIZE[0], rows * SIZE[1]), layout="constrained")
     case = Case(belt)
-    for axes, name in zip(made.subplots(rows, columns, squeeze=False).flat, names, strict=True):
+    for axes, name in zip(fig.subplots(rows, columns, squeeze=False).flat, names, strict=True):
         FIGURES[name](axes, case)
         letter = name.removeprefix(f"fig-{number}")
         if len(letter) == 1:
             axes.annotate(f"({letter})", (-0.12, 1.02), xycoords="axes fraction")
-    return made
+    return fig
 
 
 def write_plate(belt: ns.StickSlip, number: int, target: Path) -> None:

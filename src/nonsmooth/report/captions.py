@@ -60,14 +60,14 @@ def flags(belt: ns.StickSlip) -> str:
 
 def reading(case: Case, order: int, methods: Iterable[str] = ("hb",)) -> str:
     """Return in words how (22) is read here, and the errors by the other reading."""
-    both = [
+    parts = [
         f"{method} {percent(case.measured('acceleration at equal times', method, order))} "
         f"instead of {percent(case.measured('acceleration', method, order))}"
         for method in methods
         if case.has(method, order)
     ]
-    other = f"; compared at equal times t it would be, at N = {order}, {listed(both)}"
-    return f"(22) is over normalised time t/T, our reading of (21){other if both else ''}."
+    other = f"; compared at equal times t it would be, at N = {order}, {listed(parts)}"
+    return f"(22) is over normalised time t/T, our reading of (21){other if parts else ''}."
 
 
 def _oscillator(case: Case) -> dict[str, Any]:
@@ -174,5 +174,5 @@ def other_tests(case: Case) -> str:
         except ns.NoOrbit as missing:
             return f"In this case {missing.reason}."
         errors.append(percent(abs(orbit.period / case.exact.period - 1)))
-    theirs, ours = errors
-    return f"At N = {EIGHT} the period is {theirs} off with its tests and {ours} with these."
+    paper, legendre = errors
+    return f"At N = {EIGHT} the period is {paper} off with its tests and {legendre} with these."

@@ -56,13 +56,13 @@ class Case:
             try:
                 self._found[key] = self._solved(method, order)
             except ns.NoOrbit as finding:
-                known = "has no orbit" if finding.proven else "leads to no orbit"
-                reason = f"{method} {known} at N = {order}"
+                words = "has no orbit" if finding.proven else "leads to no orbit"
+                reason = f"{method} {words} at N = {order}"
                 self._found[key] = ns.NoOrbit(reason, finding.proven, ())
-        found = self._found[key]
-        if isinstance(found, ns.NoOrbit):
-            raise found
-        return found
+        answer = self._found[key]
+        if isinstance(answer, ns.NoOrbit):
+            raise answer
+        return answer
 
     def _solved(self, method: str, order: int) -> StickSlipOrbit:
         """Return one orbit, or raise a `NoOrbit`.

@@ -137,9 +137,9 @@ def overshoot(axes: Any, case: Case) -> None:
     words = f"overshoot {percent(size / falls)} of the jump"
     top = time / orbit.period, size
     axes.annotate(words, top, xytext=(0.03, 0.93), va="center", **POINTING)
-    own = orbit.t1 / orbit.period, float(orbit.acceleration(orbit.t1))
-    axes.plot(*own, "o", color=STYLES["hb"]["color"], markersize=6)
-    axes.annotate("where stick ends\nin the series", own, xytext=(0.03, 0.3), **POINTING)
+    at_end = orbit.t1 / orbit.period, float(orbit.acceleration(orbit.t1))
+    axes.plot(*at_end, "o", color=STYLES["hb"]["color"], markersize=6)
+    axes.annotate("where stick ends\nin the series", at_end, xytext=(0.03, 0.3), **POINTING)
 
 
 def _marked(method: str) -> dict[str, Any]:
@@ -221,8 +221,8 @@ WIDTH, ROW = 4.8, 0.23
 
 def claim_map(belt: ns.StickSlip, claims: Sequence[Claim], intervals: Intervals) -> Figure:
     """Return the map of the claims: one row each, over the normal force."""
-    made = Figure(figsize=(WIDTH, ROW * len(claims) + 1), layout="constrained")
-    axes = made.subplots()
+    figure = Figure(figsize=(WIDTH, ROW * len(claims) + 1), layout="constrained")
+    axes = figure.subplots()
     for row, claim in enumerate(claims):
         for low, high, verdict in segments(claim, intervals):
             left, right = force(belt, low), force(belt, high)
@@ -234,4 +234,4 @@ def claim_map(belt: ns.StickSlip, claims: Sequence[Claim], intervals: Intervals)
     axes.set(xscale="log", xlabel="normal force $F_N$ [N]", ylim=(len(claims) - 0.4, -0.6))
     axes.set_xlim(force(belt, FIRST), force(belt, LAST))
     axes.grid(axis="y", visible=False)
-    return made
+    return figure

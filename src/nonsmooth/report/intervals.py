@@ -61,19 +61,19 @@ def scan(
     """
     holds: list[list[bool]] = []
     verdicts = run(partial(_holding, belt, parts), grid())
-    for alpha, found in zip(grid(), verdicts, strict=True):
-        holds.append(found)
+    for alpha, verdict in zip(grid(), verdicts, strict=True):
+        holds.append(verdict)
         progress(f"alpha = {alpha:.3g}")
     ends = {part: [0.0] if first else [] for part, first in zip(parts, holds[0], strict=True)}
     steps = list(_steps(parts, holds))
-    last = {part: step for step in steps for part, _ in step[2]}
+    last_step = {part: step for step in steps for part, _ in step[2]}
     for part in parts:
-        if part not in last:
+        if part not in last_step:
             progress(part.words)
     for step, places in zip(steps, run(partial(_ends, belt), steps), strict=True):
         for (part, _), place in zip(step[2], places, strict=True):
             ends[part].append(place)
-            if last[part] is step:
+            if last_step[part] is step:
                 progress(part.words)
     for part, at_last in zip(parts, holds[-1], strict=True):
         ends[part] += [math.inf] if at_last else []
@@ -89,8 +89,8 @@ def _holding(belt: ns.StickSlip, parts: list[Part], alpha: float) -> list[bool]:
 def _steps(parts: list[Part], holds: list[list[bool]]) -> Iterator[Step]:
     """Yield the steps of the scan within which a part changes."""
     for (left, before), (right, after) in pairwise(zip(grid(), holds, strict=True)):
-        there = zip(parts, before, after, strict=True)
-        changes = tuple((part, later) for part, sooner, later in there if sooner != later)
+        compared = zip(parts, before, after, strict=True)
+        changes = tuple((part, later) for part, sooner, later in compared if sooner != later)
         if changes:
             yield left, right, changes
 
@@ -118,14 +118,14 @@ def segments(claim: Claim, intervals: Intervals) -> list[tuple[float, float, str
     """Return intervals of alpha with the verdict on a claim: from, to, verdict."""
     ends = {end for part in claim.parts for ends in intervals[part] for end in ends}
     edges = [FIRST, *sorted(end for end in ends if FIRST < end < LAST), LAST]
-    found: list[tuple[float, float, str]] = []
+    merged: list[tuple[float, float, str]] = []
     for low, high in pairwise(edges):
         middle = math.sqrt(low * high)
-        inside = [any(a < middle < b for a, b in intervals[part]) for part in claim.parts]
-        verdict = claim.verdict(inside)
-        start = found.pop()[0] if found and found[-1][2] == verdict else low
-        found.append((start, high, verdict))
-    return found
+        holds = [any(a < middle < b for a, b in intervals[part]) for part in claim.parts]
+        verdict = claim.verdict(holds)
+        start = merged.pop()[0] if merged and merged[-1][2] == verdict else low
+        merged.append((start, high, verdict))
+    return merged
 
 
 def force(belt: ns.StickSlip, alpha: float) -> float:

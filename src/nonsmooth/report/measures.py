@@ -45,8 +45,8 @@ def differences(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit, quantity: str
         "acceleration": exact.case.largest_jump,
         "jerk": exact.case.amplitude * omega**3,
     }[quantity]
-    there, here = (_by_phases(motion, quantity) for motion in (exact, orbit))
-    return np.abs(here - there) / size
+    of_exact, of_orbit = (_by_phases(motion, quantity) for motion in (exact, orbit))
+    return np.abs(of_orbit - of_exact) / size
 
 
 def _by_phases(motion: StickSlipOrbit | ExactStickSlipOrbit, quantity: str) -> Vector:

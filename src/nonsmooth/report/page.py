@@ -75,10 +75,10 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         svg={name: inline(pictures[name], name, words) for name, words in shown.items()},
         other_tests=other_tests(case),
         groups={
-            heading: [one for one in checked if one["claim"] in claims]
+            heading: [row for row in checked if row["claim"] in claims]
             for heading, claims in GROUPS.items()
         },
-        tally={name: [one for one in checked if one["verdict"] == name] for name in VERDICTS},
+        tally={name: [row for row in checked if row["verdict"] == name] for name in VERDICTS},
         count=len(checked),
         scanned=SCANNED,
         forces=[f"{force(belt, alpha):.4g}" for alpha in (FIRST, LAST)],

@@ -47,8 +47,8 @@ def write_report(
     done: Callable[[str], None],
 ) -> None:
     """Write every picture into a folder, in each format, and the page with their SVGs."""
-    for name, made in pictures.items():
-        write(made, *(folder / (name + suffix) for suffix in SUFFIXES), look=LOOK)
+    for name, draw in pictures.items():
+        write(draw, *(folder / (name + suffix) for suffix in SUFFIXES), look=LOOK)
         done(name)
     drawn = {name: (folder / f"{name}.svg").read_text("utf-8") for name in pictures}
     (folder / "index.html").write_text(page(drawn), "utf-8")

@@ -63,5 +63,5 @@ def _generator() -> bytes:
 
 
 def _modules(folder: Path) -> Iterable[Path]:
-    found = folder.rglob("*.py")
-    return sorted(path for path in found if not OTHERS & {*path.relative_to(folder).parts})
+    paths = folder.rglob("*.py")
+    return sorted(path for path in paths if not OTHERS & {*path.relative_to(folder).parts})

@@ -66,11 +66,11 @@ def _kept(key: str, made: Callable[[], Any], where: str) -> LoadedScene:
     if folder is None:
         folder = keep(key, _derived(made(), where))
     try:
-        found = loaded.load_folder(folder, sealed.read(folder))
+        scene = loaded.load_folder(folder, sealed.read(folder))
     except Exception as error:
         raise SceneFileError(f"{where}: its kernels cannot be read ({error})") from error
-    _check_name(found.name, where)
-    return found
+    _check_name(scene.name, where)
+    return scene
 
 
 def _derived(scene: Any, where: str) -> dict[str, str | bytes]:

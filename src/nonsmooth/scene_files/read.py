@@ -52,10 +52,10 @@ def read_scene(path: Path, text: bytes) -> "Scene":
     """
     from nonsmooth.codegen.scene import Scene  # noqa: PLC0415  (SymPy)
 
-    found = _run(path, _compiled(path, text))
-    if NAME not in found:
+    names = _run(path, _compiled(path, text))
+    if NAME not in names:
         raise SceneFileError(f"{path}: defines no {NAME}, expected {NAME} = Scene(...)")
-    scene = found[NAME]
+    scene = names[NAME]
     if not isinstance(scene, Scene):
         kind = type(scene).__name__
         raise SceneFileError(f"{path}: {NAME}: got a value of type {kind}, expected a Scene")
@@ -82,8 +82,8 @@ def _run(path: Path, code: CodeType) -> dict[str, object]:
         with redirect_stdout(sys.stderr):
             exec(code, vars(module))
     except (Exception, SystemExit) as error:
-        what = str(error) if isinstance(error, SceneError) else one_line(error)
-        raise SceneFileError(f"{path}{_line(error, path)}: {what}") from error
+        reason = str(error) if isinstance(error, SceneError) else one_line(error)
+        raise SceneFileError(f"{path}{_line(error, path)}: {reason}") from error
     return vars(module)
 
 

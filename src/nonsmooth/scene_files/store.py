@@ -101,15 +101,15 @@ def _put(files: Mapping[str, str | bytes], target: Path) -> None:
     """Write a temporary folder and move it to `target`, unless a complete one is there."""
     temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=".making-"))
     try:
-        made = temporary / target.name
-        _write(files, made)
+        fresh = temporary / target.name
+        _write(files, fresh)
         if _is_whole(target):
             return
         if os.path.lexists(target):
             say(f"{target} was not as it was written, and is written anew")
             os.replace(target, temporary / "before")
         try:
-            os.replace(made, target)
+            os.replace(fresh, target)
         except OSError:
             if not _is_whole(target):
                 raise

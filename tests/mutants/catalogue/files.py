@@ -11,15 +11,15 @@ MUTANTS = (
     Mutant(
         "a digest that nobody looks at",
         "src/nonsmooth/files/json_text.py",
-        "elif found != digest(document):",
-        "elif found is False:",
+        "elif stated != digest(document):",
+        "elif stated is False:",
         (CHANGED,),
     ),
     Mutant(
         "a seal of which only the name is looked at",
         "src/nonsmooth/files/netcdf.py",
-        "found != _seal(file.read(size))",
-        "found[:9] != _seal(file.read(size))[:9]",
+        "seal != _seal(file.read(size))",
+        "seal[:9] != _seal(file.read(size))[:9]",
         (f"{CHANGED}::test_every_byte_that_is_changed_is_noticed",),
     ),
     Mutant(

@@ -93,8 +93,8 @@ def equations(
             text = text.encode(encoding, "xmlcharrefreplace").decode(encoding)
         click.echo(text, nl=False)
     elif chosen == "pdf":
-        made = tex.pdf(text)
-        write_whole(output, lambda target: target.write_bytes(made))
+        content = tex.pdf(text)
+        write_whole(output, lambda target: target.write_bytes(content))
     else:
         write_text(output, text)
 
@@ -133,9 +133,9 @@ def _sections(
 
         if functions is not None:
             raise ValueError(f"functions: got {functions}, {scene} has forced modes, all shown")
-        for flag, given in order.items():
-            if given is not None:
-                raise ValueError(f"{flag}: got {given!r}, expected a SCENE that has several")
+        for flag, value in order.items():
+            if value is not None:
+                raise ValueError(f"{flag}: got {value!r}, expected a SCENE that has several")
         return of_structure(name, methods), f"Modes of {structure_named(name).title}"
     from nonsmooth.codegen.equations import scene_named, sections
 

@@ -35,8 +35,8 @@ def generate(scene: str | None, check: bool) -> int:
     is written there: its kernels are kept in the user's cache, and this says where.
     """
     if scene is not None and is_path(scene):
-        found = scene_named(scene)
-        click.echo(f"{found.name}: its kernels are in {found.folder}")
+        loaded = scene_named(scene)
+        click.echo(f"{loaded.name}: its kernels are in {loaded.folder}")
         return 0
     of_scene = "" if scene is None else f" of {scene}"
     with busy(f"deriving the equations{of_scene}"):

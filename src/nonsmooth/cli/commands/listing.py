@@ -43,18 +43,18 @@ def scenes(scene: str | None, json_: bool) -> None:
     """
     from nonsmooth.described import brief, document
 
-    found: dict[str, Any]
+    listed: dict[str, Any]
     if scene is None:
-        found = {"scenes": [brief(scene_named(name)) for name in scene_names()]}
+        listed = {"scenes": [brief(scene_named(name)) for name in scene_names()]}
     else:
-        found = document(scene_named(scene))
+        listed = document(scene_named(scene))
     if json_:
-        _print_json(found)
+        _print_json(listed)
     elif scene is None:
-        rows = [(s["name"], s["class"], _phases(s), s["what"]) for s in found["scenes"]]
+        rows = [(s["name"], s["class"], _phases(s), s["what"]) for s in listed["scenes"]]
         click.echo(_columns(("scene", "class", "phases", "what it is"), rows))
     else:
-        _describe(found)
+        _describe(listed)
 
 
 @click.command(cls=NamedCommand, kinds=(STRUCTURES,), default=None, epilog=EPILOG_OF_MODES)
@@ -96,8 +96,8 @@ def _columns(heads: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
     for row in (heads, *rows):
         cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=False)]
         head = "  ".join(cells) + "  "
-        first, *more = textwrap.wrap(row[-1], max(WIDTH - len(head), 20)) or [""]
-        lines += [(head + first).rstrip(), *(" " * len(head) + part for part in more)]
+        first, *following = textwrap.wrap(row[-1], max(WIDTH - len(head), 20)) or [""]
+        lines += [(head + first).rstrip(), *(" " * len(head) + part for part in following)]
     return "\n".join(lines)
 
 

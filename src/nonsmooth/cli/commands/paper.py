@@ -83,11 +83,11 @@ def roots(given: Given[Any], to: Destination, order: int) -> int:
 
     belt = _belt(given)
     with busy(f"all solutions of order {order}"):
-        found = solutions(belt, order)
-    rows = [asdict(each) | {"admissible": not each.violations} for each in found]
+        isolated = solutions(belt, order)
+    rows = [asdict(root) | {"admissible": not root.violations} for root in isolated]
     document = {"order": order, "parameters": dict(belt.values), "roots": rows}
-    to.show(f"{as_json(document)}\n", _pieces(belt, found))
-    return 0 if any(not each.violations for each in found) else 1
+    to.show(f"{as_json(document)}\n", _pieces(belt, isolated))
+    return 0 if any(not root.violations for root in isolated) else 1
 
 
 def _pieces(belt: "StickSlip", found: "list[RealSolution]") -> "Iterator[Piece]":
@@ -98,11 +98,11 @@ def _pieces(belt: "StickSlip", found: "list[RealSolution]") -> "Iterator[Piece]"
     yield caption(belt)
     table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch")
     table.add_column("verdict", overflow="fold", max_width=VERDICT)
-    for each in found:
-        numbers = (f"{number:.6g}" for number in (each.slip, each.t1, each.period))
-        verdict = each.violations[0] if each.violations else "the orbit"
-        off = each.transition_mismatch
-        table.add_row(*numbers, "" if off is None else f"{off:.1e}", verdict)
+    for root in found:
+        numbers = (f"{number:.6g}" for number in (root.slip, root.t1, root.period))
+        verdict = root.violations[0] if root.violations else "the orbit"
+        mismatch = root.transition_mismatch
+        table.add_row(*numbers, "" if mismatch is None else f"{mismatch:.1e}", verdict)
     yield table
 
 

@@ -17,13 +17,13 @@ PATIENCE = 120
 
 def engine() -> str:
     """Return the path of ``pdflatex``; a `Problem` says what to install."""
-    found = shutil.which("pdflatex")
-    if found is None:
+    path = shutil.which("pdflatex")
+    if path is None:
         raise Problem(
             "--format: pdf needs pdflatex, which is not on the PATH (Debian: apt-get install "
             "texlive-latex-base); --format latex writes the document without it"
         )
-    return found
+    return path
 
 
 def pdf(document: str) -> bytes:
@@ -35,10 +35,10 @@ def pdf(document: str) -> bytes:
         folder = Path(name)
         (folder / "equations.tex").write_text(document, "utf-8")
         finished = _run([engine(), *COMMAND, "equations.tex"], folder)
-        made = folder / "equations.pdf"
-        if finished.returncode != 0 or not made.is_file():
+        file = folder / "equations.pdf"
+        if finished.returncode != 0 or not file.is_file():
             raise Problem(f"--format: pdflatex failed: {first_error(finished.stdout)}")
-        return made.read_bytes()
+        return file.read_bytes()
 
 
 def _run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
@@ -63,8 +63,8 @@ def first_error(log: str) -> str:
     '! Undefined control sequence. l.3 \\foo'
     """
     lines = [line.strip() for line in log.splitlines() if line.strip()]
-    found = next((i for i, line in enumerate(lines) if line.startswith("!")), None)
-    if found is None:
+    place = next((i for i, line in enumerate(lines) if line.startswith("!")), None)
+    if place is None:
         return lines[-1] if lines else "without a message"
-    where = next((line for line in lines[found:] if line.startswith("l.")), "")
-    return f"{lines[found]} {where}".strip()
+    where = next((line for line in lines[place:] if line.startswith("l.")), "")
+    return f"{lines[place]} {where}".strip()

@@ -33,10 +33,10 @@ def _libraries() -> list[str]:
     """Return the libraries that compute, draw or write: all but those of the developers."""
     from importlib.metadata import requires
 
-    needed = [line.partition(";") for line in requires("nonsmooth") or []]
+    requirements = [line.partition(";") for line in requires("nonsmooth") or []]
     names = [
         line.partition(">=")[0].strip()
-        for line, _, marker in needed
+        for line, _, marker in requirements
         if not marker or any(extra in marker for extra in ("plot", "precise", "netcdf"))
     ]
     return sorted(names, key=str.lower)

@@ -49,25 +49,25 @@ def run(
         raise Problem("--attractors: expected beside --output and a picture")
     case, start = _start(given, from_orbit)
     interrupt = None
-    what = case, along.parameter, along.first, along.last
+    arguments = case, along.parameter, along.first, along.last
     try:
         with as_problems({"start": "from-orbit"}), busy(f"following {case.scene.name}") as say:
             expansion["progress"] = lambda value: say(f"{along.flag} = {value:g}")
             if every:
-                found = branches(*what, **expansion)
+                followed = branches(*arguments, **expansion)
             else:
-                found = [branch(*what, start=start, **expansion)]
+                followed = [branch(*arguments, start=start, **expansion)]
     except NoOrbit as finding:
         tell(finding)
         return 1
     except Interrupted as error:
-        interrupt, found = error, error.done
-    whole = {"branches": [q.as_dict() for q in found]} if every else found[0].as_dict()
-    used = [found[0].method] if found[0].order else []
-    text = documents.text(case, {"scene": case.scene.name} | whole, used)
-    to.show(text, tables.branches(case, found))
-    below = _diagrams(case, found[0], along) if attractors and not interrupt else ()
-    to.write(text, drawn_by("families.branch_figure", found, below), found[0])
+        interrupt, followed = error, error.done
+    document = {"branches": [q.as_dict() for q in followed]} if every else followed[0].as_dict()
+    used = [followed[0].method] if followed[0].order else []
+    text = documents.text(case, {"scene": case.scene.name} | document, used)
+    to.show(text, tables.branches(case, followed))
+    below = _diagrams(case, followed[0], along) if attractors and not interrupt else ()
+    to.write(text, drawn_by("families.branch_figure", followed, below), followed[0])
     if interrupt:
         raise Problem(f"interrupted: {interrupt}", 130)
     return 0
@@ -101,10 +101,10 @@ def _start(
 def _diagrams(case: Case, found: Branch, along: Vary[float]) -> tuple[Diagram, ...]:
     """Return what simulations settle on along a parameter, upwards and downwards."""
     low, high = sorted((along.first, along.last))
-    up = np.linspace(low, high, VALUES)
-    ways = (values.tolist() for values in (up, up[::-1]))
+    upwards = np.linspace(low, high, VALUES)
+    directions = (values.tolist() for values in (upwards, upwards[::-1]))
     with busy(f"simulating {case.scene.name}"):
-        return tuple(diagram(found.case, along.parameter, values) for values in ways)
+        return tuple(diagram(found.case, along.parameter, values) for values in directions)
 
 
 def chart(
@@ -113,8 +113,8 @@ def chart(
     """Compute the map, show it, write it; the exit status."""
     first, second = _axes(given, vary)
     axes = {each.parameter: (each.first, each.last, each.count) for each in (first, second)}
-    more = {} if cycles is None else {"cycles": cycles}
-    case = case_from(given, **more)
+    extra = {} if cycles is None else {"cycles": cycles}
+    case = case_from(given, **extra)
     interrupt = None
     tasks = maps.number_of_tasks(first.count, second.count)
     with as_problems(), progress(tasks, "map") as advance, pool() as executor:
@@ -135,9 +135,9 @@ def _axes(given: Given[LoadedScene], texts: tuple[str, ...]) -> list[Vary[float]
 
     A `Problem` is raised if there are not two, or one is given by a flag as well.
     """
-    found = [vary_from(given, text, maps.MOST_VALUES, ":40") for text in texts]
-    if len({each.parameter for each in found}) != 2 or len(found) != 2:
+    axes = [vary_from(given, text, maps.MOST_VALUES, ":40") for text in texts]
+    if len({axis.parameter for axis in axes}) != 2 or len(axes) != 2:
         raise Problem(f"--vary: got {' and '.join(texts)}, expected two parameters")
-    for each in found:
-        given.check_varies(each.parameter)
-    return found
+    for axis in axes:
+        given.check_varies(axis.parameter)
+    return axes

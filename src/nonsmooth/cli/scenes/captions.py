@@ -38,15 +38,15 @@ def smoother(case: Case) -> list[str]:
     scene = case.scene
     if scene.motions:
         return []
-    found = []
+    lines = []
     for p, (k, general) in enumerate(zip(classes(case.cell), scene.classes, strict=True)):
         if k > general:
             less = "at least " if k == HIGHEST else ""
-            found.append(
+            lines.append(
                 f"Where {scene.phases[p - 1]} ends and {scene.phases[p]} begins the motion is "
                 f"{less}C{k} for these parameters, C{general} in general."
             )
-    return list(dict.fromkeys(found))
+    return list(dict.fromkeys(lines))
 
 
 def derivative(scene: LoadedScene) -> str:

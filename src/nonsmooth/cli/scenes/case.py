@@ -31,13 +31,13 @@ def case_from(given: Given[LoadedScene], **others: float) -> Case:
     ]
     wrong: list[str] = []
     try:
-        own = 1 if phases is not None else cycles  # those of its order
-        case = as_in_paper(Case(scene, table | flags, own))
+        own_cycles = 1 if phases is not None else cycles  # those of its order
+        case = as_in_paper(Case(scene, table | flags, own_cycles))
     except ParameterError as error:
         wrong = [_as_flag(line) for line in error.errors]
     if wrong or missing:  # a name that is misspelled before that which it should have been
-        first, *more = wrong + missing
-        raise Problem(given.where + first, below=more)
+        first, *further = wrong + missing
+        raise Problem(given.where + first, below=further)
     with as_problems():
         if phases is not None:
             return with_order(case, str(phases), cycles)

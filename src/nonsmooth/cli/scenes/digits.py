@@ -68,11 +68,11 @@ def run(
             order = "" if kept.order is None else f", N = {kept.order}"
             advance(f"{kept.extreme or 'given'}: {shown(case.scene, kept.method)}{order}")
 
-        found = digits.measure(case, numbers, names, done)
-    text = documents.text(case, _document(case, found), names)
-    to.show(text, _pieces(case, found))
-    to.write(text, drawn_by("digits.digits_figure", case, found))
-    return 1 if any(kept.lost for kept in found) else 0
+        measured = digits.measure(case, numbers, names, done)
+    text = documents.text(case, _document(case, measured), names)
+    to.show(text, _pieces(case, measured))
+    to.write(text, drawn_by("digits.digits_figure", case, measured))
+    return 1 if any(kept.lost for kept in measured) else 0
 
 
 def _document(case: Case, found: list[Kept]) -> dict[str, object]:
@@ -91,13 +91,13 @@ def _pieces(case: Case, found: list[Kept]) -> Iterator[Piece]:
     heads = [f"N = {orders[0]}", *map(str, orders[1:])] if orders else []
     columns = table_of("", "orbit", "exact", *heads, "cond")
     for extreme in dict.fromkeys(kept.extreme for kept in found):
-        here = [kept for kept in found if kept.extreme == extreme]
-        exact = next(kept for kept in here if kept.method == EXACT)
+        of_extreme = [kept for kept in found if kept.extreme == extreme]
+        exact = next(kept for kept in of_extreme if kept.method == EXACT)
         sensitive = exact.orbit_condition
         orbit = exact.status if sensitive is None else f"{sensitive:.0e}"
         columns.add_row(extreme or "as given", orbit, exact.words)
-        for method in dict.fromkeys(q.method for q in here if q.method != EXACT):
-            rows = {kept.order: kept for kept in here if kept.method == method}
+        for method in dict.fromkeys(q.method for q in of_extreme if q.method != EXACT):
+            rows = {kept.order: kept for kept in of_extreme if kept.method == method}
             largest = max((q.condition for q in rows.values() if q.condition), default=None)
             columns.add_row(
                 f"  {shown(case.scene, method)}",

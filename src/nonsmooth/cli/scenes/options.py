@@ -39,16 +39,16 @@ def _functions() -> click.Option:
 
 def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options that say which motion of a scene is meant."""
-    found: list[click.Parameter] = []
+    options: list[click.Parameter] = []
     if scene.motions:
         words = f"{', '.join(scene.motions)}; without it, the one that occurs."
-        found.append(option(f"--motion {PREFIX}motion", str, words))
+        options.append(option(f"--motion {PREFIX}motion", str, words))
     words = "The sequence of phases: names joined by commas, a minus before a mirror image."
-    found.append(option(f"--phases {PREFIX}phases", str, words, metavar="NAMES"))
+    options.append(option(f"--phases {PREFIX}phases", str, words, metavar="NAMES"))
     if scene.frequency is not None:
         odd = ", an odd number" if scene.half_period else ""
-        found.append(_cycles(f"{PREFIX}cycles", odd))
-    return found
+        options.append(_cycles(f"{PREFIX}cycles", odd))
+    return options
 
 
 def _cycles(name: str, more: str = "") -> click.Option:

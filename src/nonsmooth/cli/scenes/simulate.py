@@ -35,18 +35,18 @@ def run(
         raise Problem(f"--transient: got {transient}, expected beside --vary")
     if vary is None and not grid:
         return _one(given, to, **wanted)
-    other = "--grid" if vary is None else "--vary"
+    option = "--grid" if vary is None else "--vary"
     cycles = wanted.pop("cycles")
     for name, value in wanted.items():
         if value not in (None, 0.0):
-            raise Problem(f"{flag(name)}: got {value} beside {other}")
+            raise Problem(f"{flag(name)}: got {value} beside {option}")
     if cycles is not None and not float(cycles).is_integer():
-        raise Problem(f"--cycles: got {cycles:g} beside {other}, expected a whole number")
+        raise Problem(f"--cycles: got {cycles:g} beside {option}, expected a whole number")
     count = None if cycles is None else int(cycles)
     if vary is None:
         return _basins(given, to, grid, FOLLOWED if count is None else count)
-    left = TRANSIENT if transient is None else transient
-    return _diagram(given, to, vary, left, KEPT if count is None else count)
+    skipped = TRANSIENT if transient is None else transient
+    return _diagram(given, to, vary, skipped, KEPT if count is None else count)
 
 
 def _one(given: Given[LoadedScene], to: Destination, state: str | None, **wanted: Any) -> int:
@@ -85,12 +85,12 @@ def _diagram(
     with (
         as_problems(), wrong_values("--vary: "), progress(along.count, "simulate") as advance
     ):  # fmt: skip
-        how = transient, cycles, lambda value: advance(f"{along.flag} = {value:g}")
-        result = diagram(case, along.parameter, values_of(along), *how)
-    ended = sum(not len(each) for each in result.states)
-    said = f"{result!r}, {sum(map(len, result.states))} states"
-    said += f"; at {ended} the motion ends before" if ended else ""
-    return _written(to, result, said, "simulations.diagram_figure")
+        arguments = transient, cycles, lambda value: advance(f"{along.flag} = {value:g}")
+        result = diagram(case, along.parameter, values_of(along), *arguments)
+    ended = sum(not len(states) for states in result.states)
+    summary = f"{result!r}, {sum(map(len, result.states))} states"
+    summary += f"; at {ended} the motion ends before" if ended else ""
+    return _written(to, result, summary, "simulations.diagram_figure")
 
 
 def _basins(
@@ -107,8 +107,8 @@ def _basins(
         raise Problem(f"--grid: got {' and '.join(grid)}, expected one for x and one for v")
     case = case_from(given)
     with as_problems(), progress(len(axes["v"]), "simulate") as advance, pool() as executor:
-        how = cycles, executor, lambda value: advance(f"v = {value:g}")
-        result = basins(case, axes["x"], axes["v"], *how)
+        arguments = cycles, executor, lambda value: advance(f"v = {value:g}")
+        result = basins(case, axes["x"], axes["v"], *arguments)
     return _written(to, result, str(result), "simulations.basins_figure")
 
 

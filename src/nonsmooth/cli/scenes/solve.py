@@ -43,20 +43,20 @@ def run(
 
 def _solve(case: Case, wanted: Wanted, to: Destination) -> int:
     """Solve by each method, or as a tolerance or a budget chooses; the exit status."""
-    choice, found = search(case, wanted)
-    orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
+    choice, outcomes = search(case, wanted)
+    orbits = [orbit for orbit in outcomes.values() if isinstance(orbit, Orbit)]
     case = orbits[0].case if orbits else case
     exact = exact_near(case, orbits)
     order = wanted.size if wanted.tol is None else None
-    parts = documents.of_each(case, found, order, wanted.functions, exact)
+    parts = documents.of_each(case, outcomes, order, wanted.functions, exact)
     if choice is not None:
         parts[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
-    whole = parts[0] if wanted.one else {"scene": case.scene.name, "orbits": parts}
-    text = documents.text(case, whole, found)
+    document = parts[0] if wanted.one else {"scene": case.scene.name, "orbits": parts}
+    text = documents.text(case, document, outcomes)
 
     def pieces() -> Iterator[Piece]:
         yield captions.caption(case)
-        yield from tables.solutions(case, exact, found)
+        yield from tables.solutions(case, exact, outcomes)
         yield from tables.others_beside(exact)
         if choice is not None:
             yield _why(choice, wanted)
@@ -68,7 +68,7 @@ def _solve(case: Case, wanted: Wanted, to: Destination) -> int:
             off = f"{100 * orbit.estimate.times:.0f} % of the period, by the estimate"
             say(f"{orbit.method}, N = {orbit.order}: its times are off by {off}")
     _write(to, text, orbits, exact)
-    return 0 if len(orbits) == len(found) else 1
+    return 0 if len(orbits) == len(outcomes) else 1
 
 
 def _list_every(case: Case, wanted: Wanted, to: Destination) -> int:
@@ -85,11 +85,11 @@ def _list_every(case: Case, wanted: Wanted, to: Destination) -> int:
     except NoOrbit as finding:
         tell(finding)
     still = motions_without_switches(case)
-    every = [*(orbit.as_dict() for orbit in orbits), *(motion.as_dict() for motion in still)]
-    text = documents.text(case, {"scene": case.scene.name, "orbits": every}, [method])
+    entries = [*(orbit.as_dict() for orbit in orbits), *(motion.as_dict() for motion in still)]
+    text = documents.text(case, {"scene": case.scene.name, "orbits": entries}, [method])
     to.show(text, tables.every(case, orbits, still))
     _write(to, text, orbits, None)
-    return 0 if every else 1
+    return 0 if entries else 1
 
 
 def _why(choice: Choice, wanted: Wanted) -> str:
@@ -98,9 +98,9 @@ def _why(choice: Choice, wanted: Wanted) -> str:
         names = ", ".join(dict.fromkeys(trial.method for trial in choice.trials))
         words = f"the smallest estimated error within {wanted.budget:g} s, of {names}"
         return f"{choice.orbit.method}, N = {choice.orbit.order}: {words}"
-    last = choice.trials[-1]
+    chosen = choice.trials[-1]
     words = f"the lowest order, of {len(choice.trials)} tried, whose estimated errors are"
-    return f"{last.method}, N = {choice.orbit.order}: {words}\nwithin {wanted.tol:g}."
+    return f"{chosen.method}, N = {choice.orbit.order}: {words}\nwithin {wanted.tol:g}."
 
 
 def _write(to: Destination, text: str, orbits: list[Orbit], exact: ExactOrbit | None) -> None:

@@ -74,14 +74,14 @@ def _along(
         raise Problem(f"--orders: got {orders!r} beside --vary, expected one order")
     if methods is not None and "," in methods:
         raise Problem(f"--methods: got {methods!r} beside --vary, expected one method")
-    how = methods and methods.strip(), None if orders is None else int(orders)
+    expansion = methods and methods.strip(), None if orders is None else int(orders)
     interrupt = None
     with (
         as_problems(PLURAL), wrong_values("--vary: "), progress(vary.count, "sweep") as advance
     ):  # fmt: skip
         try:
             result = family(
-                case, vary.parameter, values_of(vary), *how, functions=functions,
+                case, vary.parameter, values_of(vary), *expansion, functions=functions,
                 progress=lambda row: advance(f"{vary.flag} = {row.value:g}"),
             )  # fmt: skip
         except Interrupted as error:

@@ -80,10 +80,10 @@ def solutions(
 
 def others_beside(exact: ExactOrbit | None) -> Iterator[Piece]:
     """Say that there are other orbits beside one, if they are known."""
-    found = [] if exact is None else others(exact)
-    if found:
-        verdicts = [VERDICTS[is_stable(orbit)] for orbit in found]
-        count = "another orbit" if len(found) == 1 else f"{len(found)} other orbits"
+    orbits = [] if exact is None else others(exact)
+    if orbits:
+        verdicts = [VERDICTS[is_stable(orbit)] for orbit in orbits]
+        count = "another orbit" if len(orbits) == 1 else f"{len(orbits)} other orbits"
         words = f"{count} at these parameters: {', '.join(verdicts)}; see --all"
         yield filled(words[0].upper() + words[1:])
 
@@ -96,20 +96,20 @@ def every(
     names = ("motion", "T [s]", "phi [rad]", "least x [m]", "largest x [m]", "estimate", "")
     table = table_of(*names)
     for orbit in orbits:
-        scene, turn, off = orbit.case.scene, orbit.forcing_phase, orbit.estimate.times
+        scene, turn, estimate = orbit.case.scene, orbit.forcing_phase, orbit.estimate.times
         table.add_row(
             scene.motion or ", ".join(scene.phases),
             f"{orbit.period:.9g}",
             "" if turn is None else f"{turn:.7g}",
             *(f"{end:.6g}" for end in without_rounding(orbit.extremes["displacement"])),
-            f"{off:.1e}",
+            f"{estimate:.1e}",
             VERDICTS[orbit.stable],
         )
     for motion in still:
-        found = motion.as_dict()
+        document = motion.as_dict()
         ends = (f"{end:.6g}" for end in (motion.least, motion.largest))
         verdict = VERDICTS[motion.stable]
-        table.add_row(found["motion"], f"{found['period']:.9g}", "", *ends, "", verdict)
+        table.add_row(document["motion"], f"{document['period']:.9g}", "", *ends, "", verdict)
     yield table
     yield f"\n{filled(OF_EVERY)}"
 
@@ -134,10 +134,10 @@ def _times(motion: Motion) -> list[str]:
 
 def _accuracy(errors: Errors | None, estimate: Errors) -> tuple[str, str, str]:
     """Return two errors, where the exact orbit is known, and the estimate of the first."""
-    known = ("", "")
+    measured = ("", "")
     if errors is not None:
-        known = f"{errors.times:.2e}", f"{errors.discontinuous:.2e}"
-    return *known, f"{estimate.times:.1e}"
+        measured = f"{errors.times:.2e}", f"{errors.discontinuous:.2e}"
+    return *measured, f"{estimate.times:.1e}"
 
 
 def _in_full(orbit: Orbit) -> str:
@@ -173,13 +173,13 @@ def family(result: Family) -> Iterator[Piece]:
         if row.durations is None or row.extremes is None or row.estimate is None:
             table.add_row(f"{row.value:.6g}", row.status)
             continue
-        own = result.durations_of(row)
+        durations = result.durations_of(row)
         table.add_row(
             f"{row.value:.6g}",
             f"{row.period:.9g}",
             *([f"{row.forcing_phase:.7g}"] if scene.frequency else []),
             *([row.motion] if scene.motions else []),
-            *(f"{own[phase]:.6g}" if phase in own else "" for phase in phases),
+            *(f"{durations[phase]:.6g}" if phase in durations else "" for phase in phases),
             *(f"{end:.6g}" for end in without_rounding(row.extremes["displacement"])),
             f"{row.estimate.times:.1e}",
             str(row.iterations),
@@ -271,16 +271,16 @@ def convergence(result: Sweep) -> Iterator[Piece]:
 def transient(case: Case, motion: Simulation) -> Iterator[Piece]:
     """Show the phases of a motion: the first and the last where there are many."""
     yield caption(case)
-    found = table_of("phase", "t [s]", "lasts [s]", "x [m]", "x' [m/s]")
+    table = table_of("phase", "t [s]", "lasts [s]", "x [m]", "x' [m/s]")
     phases = motion.phases
     few = len(phases) <= FIRST + LAST
     for phase in phases if few else phases[:FIRST]:
-        found.add_row(*_cells(phase))
+        table.add_row(*_cells(phase))
     if not few:
-        found.add_row("...", "", "", "", "")
+        table.add_row("...", "", "", "", "")
         for phase in phases[-LAST:]:
-            found.add_row(*_cells(phase))
-    yield found
+            table.add_row(*_cells(phase))
+    yield table
     words = "phase" if len(phases) == 1 else "phases"
     yield f"\n{len(phases)} {words} in {motion.time:.6g} s; t, x and x' where each begins."
     if any(phase.mirrored for phase in phases):

@@ -63,7 +63,7 @@ def search(case: Case, wanted: Wanted) -> tuple[Choice | None, Found]:
         check_one_method(wanted.methods, wanted.chosen_by)
         return _choose(case, chosen[0] if chosen else None, wanted)
     names = chosen or tuple(in_order(methods(scene)))
-    found: Found = {}
+    outcomes: Found = {}
     try:
         with busy("looking for a motion"):
             case = with_motion(case, wanted.size)
@@ -77,11 +77,11 @@ def search(case: Case, wanted: Wanted) -> tuple[Choice | None, Found]:
             functions = number_of_functions(case, name, functions)
         try:
             with as_problems(), busy(f"{name}, N = {wanted.size}"):
-                found[name] = solve_case(case, name, wanted.size, functions)
+                outcomes[name] = solve_case(case, name, wanted.size, functions)
         except NoOrbit as finding:
             tell(finding, said)
-            found[name] = finding
-    return None, found
+            outcomes[name] = finding
+    return None, outcomes
 
 
 def _choose(case: Case, method: str | None, wanted: Wanted) -> tuple[Choice | None, Found]:

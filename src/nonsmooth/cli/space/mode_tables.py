@@ -30,15 +30,15 @@ def modes(found: Sequence[Modes]) -> Iterator[Piece]:
         "omega [rad/s]", "f/f_ex-1", "proved", "jump law", "node",
     )  # fmt: skip
     for place in range(max(map(len, found))):
-        every = [expansion for expansion in found if place < len(expansion)]
-        exact = f"{every[0][place].exact_frequency:.9g}"
-        for expansion in every:
+        expansions = [expansion for expansion in found if place < len(expansion)]
+        exact = f"{expansions[0][place].exact_frequency:.9g}"
+        for expansion in expansions:
             mode = expansion[place]
             f, *cells = _cells(mode)
             names = [expansion.shown, f] if several else [f, exact]
             table.add_row(str(mode.number), *names, *cells)
         if several:
-            omega = f"{2 * math.pi * every[0][place].exact_frequency:.9g}"
+            omega = f"{2 * math.pi * expansions[0][place].exact_frequency:.9g}"
             table.add_row(str(place + 1), "exact", exact, omega, "", "", "", "")
     for expansion in found:
         yield f"{expansion.shown}, N = {expansion.order}: {expansion.unknowns} unknowns"
@@ -137,6 +137,6 @@ def family(
     count = max(map(len, found))
     table = table_of(vary.flag, *(f"omega_{i + 1}" for i in range(count)), "off at most")
     for value, expansion in zip(values, found, strict=True):
-        off = max(abs(mode.error) for mode in expansion)
-        table.add_row(value, *(f"{mode.omega:.8g}" for mode in expansion), f"{off:.1e}")
+        error = max(abs(mode.error) for mode in expansion)
+        table.add_row(value, *(f"{mode.omega:.8g}" for mode in expansion), f"{error:.1e}")
     yield table

@@ -57,13 +57,13 @@ def attached_from(given: Given[Structure]) -> Attached:
     try:
         return attach(given.about, **values)
     except ParameterError as error:
-        said = (_as_flag(each) if given.file is None else each for each in error.errors)
-        raise Problem(given.where + "; ".join(said)) from error
+        messages = (_as_flag(line) if given.file is None else line for line in error.errors)
+        raise Problem(given.where + "; ".join(messages)) from error
 
 
 def _as_flag(error: str) -> str:
-    name, colon, rest = error.partition(": ")
-    return f"{flag(name)}{colon}{rest}" if colon and " " not in name else error
+    name, colon, message = error.partition(": ")
+    return f"{flag(name)}{colon}{message}" if colon and " " not in name else error
 
 
 def _check_shapes(
@@ -83,17 +83,19 @@ def _once(
     attached: Attached, to: Destination, wanted: dict[str, Any], points: int | None
 ) -> int:
     """Compute the modes, show them, write them; the exit status."""
-    found = compute(attached, wanted)
-    kind, data = ("modes", found) if points is None else ("shapes", [found[0].shapes(points)])
+    expansions = compute(attached, wanted)
+    kind, data = (
+        ("modes", expansions) if points is None else ("shapes", [expansions[0].shapes(points)])
+    )
     text = sealed(documents.document_of(kind, data))
-    to.show(text, mode_tables.modes(found))
-    for expansion in found:
+    to.show(text, mode_tables.modes(expansions))
+    for expansion in expansions:
         if expansion.structure.kind == "compliance" and expansion.method == "ritz":
             words = "sines have no jump: these are the modes of the sound beam"
             say(f"ritz: {words}")
     with as_problems():
-        written = found if points is None else data[0]
-        to.write(text, drawn_by("modes.modes_figure", found), written)
+        results = expansions if points is None else data[0]
+        to.write(text, drawn_by("modes.modes_figure", expansions), results)
     return 0
 
 
@@ -103,23 +105,23 @@ def compute(attached: Attached, wanted: dict[str, Any]) -> list[Modes]:
     A `Problem` is raised if there are none such; with status 1 if no order is within the
     tolerance.
     """
-    given = {name: value for name, value in wanted.items() if value is not None}
-    method, forced = given.pop("method", None), given.pop("forced", None)
-    found = []
+    options = {name: value for name, value in wanted.items() if value is not None}
+    method, forced = options.pop("method", None), options.pop("forced", None)
+    expansions = []
     for name in METHODS if method == ALL else (method,):
-        own: dict[str, Any] = {} if name is None else {"method": name}
+        choice: dict[str, Any] = {} if name is None else {"method": name}
         if forced is not None and (method != ALL or name == "ritz-ck"):
-            own["forced"] = forced
+            choice["forced"] = forced
         try:
             with as_problems():
-                found.append(modes(attached, **given, **own))
+                expansions.append(modes(attached, **options, **choice))
         except Problem as problem:
             if isinstance(problem.__cause__, ToleranceNotMet):
                 raise Problem(str(problem), 1) from problem
             if str(problem).startswith("--method"):
                 raise Problem(f"{problem}; or {ALL}") from problem
             raise
-    return found
+    return expansions
 
 
 def vary_of(text: str, log: bool, attached: Attached) -> Vary[Fraction]:
@@ -130,19 +132,19 @@ def vary_of(text: str, log: bool, attached: Attached) -> Vary[Fraction]:
 
 def structures_of(vary: Vary[Fraction], attached: Attached) -> list[Attached]:
     """Return the structure with each of the values; a `Problem` if one of them cannot be."""
-    found = []
+    structures = []
     for value in values_of(vary):
-        given: dict[str, Any] = {"position": attached.a, **attached.values}
-        given[vary.parameter] = value if vary.parameter == "position" else float(value)
+        settings: dict[str, Any] = {"position": attached.a, **attached.values}
+        settings[vary.parameter] = value if vary.parameter == "position" else float(value)
         with wrong_values("--vary: "):
-            found.append(attach(attached.structure, **given))
-    return found
+            structures.append(attach(attached.structure, **settings))
+    return structures
 
 
 def _label(vary: Vary[Fraction], value: Fraction) -> str:
     """Return a value for a reader: a position as a fraction where that is short."""
-    short = vary.parameter == "position" and value.denominator < 1000
-    return str(value) if short else f"{float(value):.6g}"
+    is_short = vary.parameter == "position" and value.denominator < 1000
+    return str(value) if is_short else f"{float(value):.6g}"
 
 
 def _along(
@@ -150,16 +152,18 @@ def _along(
 ) -> int:
     """Compute the modes along a parameter, show them, write them; the exit status."""
     values, labels = zip(*((float(q), _label(vary, q)) for q in values_of(vary)), strict=True)
-    structures, found = structures_of(vary, attached), list[Modes]()
+    structures, expansions = structures_of(vary, attached), list[Modes]()
     with progress(vary.count, "sweep") as advance:
-        for label, each in zip(labels, structures, strict=True):
-            found += compute(each, wanted)
+        for label, structure in zip(labels, structures, strict=True):
+            expansions += compute(structure, wanted)
             advance(f"{vary.flag} = {label}")
-    document = documents.of_varied_modes(vary.flag, values, found)
+    document = documents.of_varied_modes(vary.flag, values, expansions)
     text = documents.text_of_modes(attached.structure, document)
-    how = f"{found[0].shown}, N = {found[0].order}"
+    how = f"{expansions[0].shown}, N = {expansions[0].order}"
     how = how if wanted["tol"] is None else "to a tolerance"
-    to.show(text, mode_tables.family(attached, vary, how, labels, found))
-    figure = drawn_by("modes.family_figure", vary.flag, values, found, vary.log)
-    to.write(text, figure, found, rows=lambda: csv_rows.of_modes(found, vary.flag, values))
+    to.show(text, mode_tables.family(attached, vary, how, labels, expansions))
+    figure = drawn_by("modes.family_figure", vary.flag, values, expansions, vary.log)
+    to.write(
+        text, figure, expansions, rows=lambda: csv_rows.of_modes(expansions, vary.flag, values)
+    )
     return 0

@@ -40,18 +40,18 @@ def _lines(structure: Structure, methods: str | None, forced: str | None) -> lis
 
     A `Problem` is raised if one of them is unknown.
     """
-    said = METHODS if methods is None else split_methods(methods)
+    requested = METHODS if methods is None else split_methods(methods)
     with as_problems(PLURAL):
-        names = list(dict.fromkeys(generic_method(structure, name) for name in said))
+        names = list(dict.fromkeys(generic_method(structure, name) for name in requested))
         if forced is not None and "ritz-ck" not in names:
             raise ValueError(f"forced: got {forced!r}, {', '.join(names)} has no forced modes")
         parts = ["1"] if forced is None else [part.strip() for part in forced.split(",")]
         numbers = [int(part) if part.isdecimal() else part for part in parts]
-        found = []
+        lines = []
         for name in names:
             if name == "ritz-ck":
                 checked = [check_forced(structure, name, K) for K in numbers]  # type: ignore[arg-type]
-                found += [Line(name, K) for K in dict.fromkeys(checked)]
+                lines += [Line(name, K) for K in dict.fromkeys(checked)]
             else:
-                found.append(Line(name))
-    return found
+                lines.append(Line(name))
+    return lines

@@ -19,13 +19,13 @@ TOO_FEW = Finding(False, "too few orders are above rounding")
 
 def above_rounding(case: Case, first: int, of: str = "period") -> dict[int, float]:
     """Return the errors by order, from `first` up to the order where they are rounding."""
-    found = {}
+    errors = {}
     for N in range(first, MOST + 1):
         error = case.measured(of, "c1", N)
         if abs(error) < FLOORS[of]:
             break
-        found[N] = error
-    return found
+        errors[N] = error
+    return errors
 
 
 def overtakes(case: Case, of: str) -> Finding:
@@ -138,8 +138,8 @@ def all_derivatives(case: Case) -> Finding:
         for name, of in names.items()
     }
     falls = all(b * GAIN < max(a, 1e-11) for row in rows.values() for a, b in pairwise(row))
-    last = ", ".join(f"{name} {number(row[-1], 2)}" for name, row in rows.items())
-    return Finding(falls, f"at N = {SOME[-1]}: {last}")
+    latest = ", ".join(f"{name} {number(row[-1], 2)}" for name, row in rows.items())
+    return Finding(falls, f"at N = {SOME[-1]}: {latest}")
 
 
 def _steps(case: Case) -> tuple[dict[int, float], dict[int, float]]:
@@ -151,7 +151,7 @@ def _steps(case: Case) -> tuple[dict[int, float], dict[int, float]]:
     missing = [N for N in range(THREE, MOST + 1) if not case.has("c1", N)]
     errors = above_rounding(case, max(missing, default=THREE - 1) + 1, "acceleration")
     steps = {N: after / before for (_, before), (N, after) in pairwise(errors.items())}
-    odd, even = ({N: steps[N] for N in steps if rest == N % 2} for rest in (1, 0))
+    odd, even = ({N: steps[N] for N in steps if parity == N % 2} for parity in (1, 0))
     return odd, even
 
 
@@ -173,7 +173,7 @@ def even_add_nothing(case: Case) -> Finding:
     if not even:
         return TOO_FEW
     N = max(even, key=lambda order: abs(even[order]))
-    up = [str(order) for order in even if even[order] > 0.01]
+    growing = [str(order) for order in even if even[order] > 0.01]
     words = f"it changes by {percent(even[N], 2)} at N = {N}"
-    words += f" and grows at N = {listed(up)}" if up else ""
+    words += f" and grows at N = {listed(growing)}" if growing else ""
     return Finding(abs(even[N]) < 0.01, words)

@@ -34,9 +34,9 @@ def does_not_halve(case: Case, of: str, since: int, least: float = 0.0) -> Findi
 
 def gibbs(case: Case) -> Finding:
     """Check that the overshoot before the jump is Gibbs' constant, within a third."""
-    over = case.measured("overshoot", "hb", MOST)
-    words = f"{percent(over)} of the jump; Gibbs' limit is {percent(GIBBS)}"
-    return Finding(abs(over / GIBBS - 1) < 1 / 3, words)
+    overshoot = case.measured("overshoot", "hb", MOST)
+    words = f"{percent(overshoot)} of the jump; Gibbs' limit is {percent(GIBBS)}"
+    return Finding(abs(overshoot / GIBBS - 1) < 1 / 3, words)
 
 
 def half_way(case: Case, end: str) -> Finding:
@@ -102,22 +102,22 @@ def better_period(case: Case) -> Finding:
 
 def falls_faster(case: Case, of: str, powers: float) -> Finding:
     """Check that one C1 function makes an error fall by at least `powers` more powers of N."""
-    ours, theirs = (case.rate(of, method) for method in ("hb-c1", "hb"))
-    if ours is None or theirs is None:
+    with_one, without = (case.rate(of, method) for method in ("hb-c1", "hb"))
+    if with_one is None or without is None:
         return TOO_FEW
-    words = f"{power_of_order(ours)} against {power_of_order(theirs)}"
-    return Finding(ours - theirs >= powers, words)
+    words = f"{power_of_order(with_one)} against {power_of_order(without)}"
+    return Finding(with_one - without >= powers, words)
 
 
 def ripple_vanishes(case: Case) -> Finding:
     """Check that the overshoot vanishes as N grows with one C1 function, and not without."""
-    over, words = doubled(case, "overshoot", "hb-c1")
-    return Finding(over[-1] < UNSEEN < case.measured("overshoot", "hb", MOST), words)
+    overshoots, words = doubled(case, "overshoot", "hb-c1")
+    return Finding(overshoots[-1] < UNSEEN < case.measured("overshoot", "hb", MOST), words)
 
 
 def no_ripple_at_3(case: Case) -> Finding:
     """Check that the overshoot with one C1 function is too small to be seen at N = 3."""
     beyond = (case.measured("overshoot", method, THREE) for method in ("hb-c1", "hb"))
-    over, without = (part if part > ROUNDING else 0.0 for part in beyond)
-    words = f"{percent(over, 2)} of the jump; without g₁ {percent(without, 2)}"
-    return Finding(over < UNSEEN, words)
+    overshoot, without = (part if part > ROUNDING else 0.0 for part in beyond)
+    words = f"{percent(overshoot, 2)} of the jump; without g₁ {percent(without, 2)}"
+    return Finding(overshoot < UNSEEN, words)

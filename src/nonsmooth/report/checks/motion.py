@@ -82,6 +82,6 @@ def in_span_of_harmonics(case: Case) -> Finding:
     """Check that ``g1`` is in the span of its first harmonics, to rounding."""
     t1, T = case.exact.t1, case.exact.period
     harmonics = np.abs(np.fft.rfft(g1(t1, T, np.arange(GRID) * T / GRID, 0)))[1:]
-    left = math.sqrt(float(np.sum(harmonics[MOST:] ** 2) / np.sum(harmonics**2)))
-    words = f"{percent(left)} of g₁, its mean apart, is left after its first {MOST} harmonics"
-    return Finding(left < ROUNDING, words)
+    share = math.sqrt(float(np.sum(harmonics[MOST:] ** 2) / np.sum(harmonics**2)))
+    words = f"{percent(share)} of g₁, its mean apart, is left after its first {MOST} harmonics"
+    return Finding(share < ROUNDING, words)

@@ -83,8 +83,8 @@ def ways(case: Case) -> Iterator[Way]:
     for method in in_order(registry.methods(scene)):
         numbers = registry.functions(scene, method)
         for number in numbers or (None,):
-            more = "" if number is None else f", K = {number}"
-            yield Way(method, number, shown(scene, method) + more)
+            suffix = "" if number is None else f", K = {number}"
+            yield Way(method, number, shown(scene, method) + suffix)
 
 
 def steps(case: Case) -> int:
@@ -104,15 +104,15 @@ def collect(case: Case, exact: ExactOrbit, done: Callable[[str], None]) -> Colle
     done : callable
         Called `steps` times, with the step just done in words.
     """
-    found = list(ways(case))
-    usual = list({way.method: way for way in found if way.functions in (None, 1, 2)}.values())
+    listed = list(ways(case))
+    usual = list({way.method: way for way in listed if way.functions in (None, 1, 2)}.values())
     small = {q.name: orbit for q in usual if (orbit := _orbit(case, q, SMALL))}
     done("orbits of low order")
     orders = {q: RINGING if about(q.method).power else SMALL for q in usual}
     ringing = {q.name: orbit for q in usual if (orbit := _orbit(case, q, orders[q]))}
     done("the derivative that jumps")
     curves = {}
-    for way in found:
+    for way in listed:
         curves[way] = _curve(case, way)
         done(way.name)
     return Collected(case, exact, small, ringing, curves)
@@ -128,7 +128,7 @@ def _orbit(case: Case, way: Way, order: int) -> Orbit | None:
 def _curve(case: Case, way: Way) -> dict[int, Errors]:
     orders = POWER_ORDERS if about(way.method).power else FACTOR_ORDERS
     errors = {order: orbit.errors for order in orders if (orbit := _orbit(case, way, order))}
-    return {order: found for order, found in errors.items() if found is not None}
+    return {order: error for order, error in errors.items() if error is not None}
 
 
 def jump(exact: Motion, p: int) -> float:
@@ -163,15 +163,15 @@ def rate_of_times(case: Case, functions: int) -> int:
 
     It is the least over the switches, each with its own class; K = 0 is a plain Fourier series.
     """
-    found, phases = [], case.cell.phases
+    powers, phases = [], case.cell.phases
     for p, phase in enumerate(phases):
         k = case.scene.classes[(p + 1) % len(phases)]
         by_displacement = phase.event[0] != 0
         smooth = phase.rho == 1 and phase.d == 0
         r = 0 if by_displacement and smooth else 1
         q = k + functions + 2 - r
-        found.append(2 * math.ceil(q / 2) - 1)
-    return int(min(found))
+        powers.append(2 * math.ceil(q / 2) - 1)
+    return int(min(powers))
 
 
 def rate_of_jump(case: Case, functions: int) -> float:

@@ -73,7 +73,7 @@ def thesis(names: list[str], orders: tuple[int, ...] = (8, 11, 16, 22, 32)) -> A
     list of tuple
         Scene, class, functions (0: a plain Fourier series), measured power of 1/N, theory.
     """
-    found = []
+    rows = []
     for name in names:
         case = exact_orbit(find(name)()).case
         for way in ways(case):
@@ -85,5 +85,5 @@ def thesis(names: list[str], orders: tuple[int, ...] = (8, 11, 16, 22, 32)) -> A
             logarithms = np.log([error.times for error in errors if error is not None])
             slope = -float(np.polyfit(np.log(orders), logarithms, 1)[0])
             expected = rate_of_times(case, way.functions or 0)
-            found.append((name, f"C{case.scene.k}", way.functions or 0, slope, expected))
-    return found
+            rows.append((name, f"C{case.scene.k}", way.functions or 0, slope, expected))
+    return rows

@@ -96,8 +96,8 @@ def convergence(name: str) -> Draw:
                 slope = errors[0] * (np.array(orders) / orders[0]) ** -(rate or 0.0)
                 if rate is not None and errors[0] > LEAST:
                     axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
-        what = name_of_error(found.case.scene, name)
-        axes.set(xlabel="order $N$", ylabel=f"error of {what}")
+        quantity = name_of_error(found.case.scene, name)
+        axes.set(xlabel="order $N$", ylabel=f"error of {quantity}")
         axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
         axes.minorticks_off()
         legend(axes, 3)

@@ -81,14 +81,17 @@ def multipliers(exact: ExactOrbit) -> dict[str, Any]:
     """
     _, _, verdict = in_words(exact).partition(": ")
     try:
-        found = exact.stability
+        stability = exact.stability
     except NoMultipliersError:
         return {"rows": [], "smaller": 0, "verdict": verdict, "shift": False}
-    count = min(count_shown(found.multipliers), len(found.multipliers))
-    rows = [_multiplier(complex(value), found.rounding) for value in found.multipliers[:count]]
+    count = min(count_shown(stability.multipliers), len(stability.multipliers))
+    rows = [
+        _multiplier(complex(value), stability.rounding)
+        for value in stability.multipliers[:count]
+    ]
     return {
-        "rows": rows, "smaller": len(found.multipliers) - count, "verdict": verdict,
-        "shift": found.trivial_multiplier is not None,
+        "rows": rows, "smaller": len(stability.multipliers) - count, "verdict": verdict,
+        "shift": stability.trivial_multiplier is not None,
     }  # fmt: skip
 
 
@@ -145,8 +148,10 @@ def build(
     done : callable
         Called with the step just done in words.
     """
-    found = collect(case, exact, done)
+    results = collect(case, exact, done)
     equations = folded(fragment_of(derived.sections(source, (), None)))
     done("equations")
-    pictures = {name: partial(figure, draw, found) for name, draw in figures_of(found).items()}
-    write_report(folder, pictures, partial(page, found, equations), done)
+    pictures = {
+        name: partial(figure, draw, results) for name, draw in figures_of(results).items()
+    }
+    write_report(folder, pictures, partial(page, results, equations), done)

@@ -50,9 +50,9 @@ def spring(
 ) -> None:
     """Draw a spring between two places."""
     lead = 0.12 * (end - start)
-    turns = np.linspace(start + lead, end - lead, 15)
+    coils = np.linspace(start + lead, end - lead, 15)
     heights = y + height * np.array([0, *[1, -1] * 6, 1, 0])
-    line(axes, [start, *turns, end], [y, *heights, y])
+    line(axes, [start, *coils, end], [y, *heights, y])
     words(axes, (start + end) / 2, y + height + 0.12, name, "center", "bottom")
 
 
