@@ -61,16 +61,12 @@ def sweep(
     if wanted is not None:
         wanted = _several("methods", wanted, "names of methods")
     numbers = _several("orders", orders, "whole numbers")
-    none: NoOrbit | None = None
-    try:
-        case = with_motion(case)
-    except NoOrbit as finding:
-        none = finding
     scene, functions, kernels = case.scene, plain(functions), []
     names = in_order(registry.methods(scene)) if wanted is None else wanted
     for method in (registry.generic_method(scene, name) for name in names):
         count = number_of_functions(case, method, functions)
-        kernels.append((registry.kernel(scene, method, count), method, count))
+        of_motions = [registry.kernel(each, method, count) for each in scene.each_motion]
+        kernels.append((max(of_motions, key=lambda kernel: kernel.lowest), method, count))
     if methods is None:
         least = min((kernel for kernel, *_ in kernels), key=lambda kernel: kernel.lowest)
         numbers = [check_order(least, order) for order in numbers]
@@ -78,6 +74,11 @@ def sweep(
     for kernel, method, count in kernels:
         chosen = (order for order in numbers if methods is not None or order >= kernel.lowest)
         jobs += [(method, check_order(kernel, order), count) for order in chosen]
+    none: NoOrbit | None = None
+    try:
+        case = with_motion(case)
+    except NoOrbit as finding:
+        none = finding
     rows = []
     for method, order, count in jobs:
         made = _row(case, method, order, count) if none is None else _empty(method, order, none)

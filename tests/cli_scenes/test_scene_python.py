@@ -97,6 +97,13 @@ def test_sweeps() -> None:
     )
 
 
+def test_sweeps_of_several_motions_check_their_arguments_first(monkeypatch) -> None:
+    monkeypatch.setattr("nonsmooth.solver.sweep.with_motion", None)
+    for methods, orders in ((["ck-taw"], [4]), (["hb"], [4, 0]), (None, [0])):
+        with pytest.raises(ValueError, match=r"(method|order): got ('ck-taw'|0), expected"):
+            ns.sweep(ns.scene("dry-friction")(), methods, orders)
+
+
 def test_rates_are_least_squares_over_six_orders_above_rounding() -> None:
     def rows(error, orders):
         return [(N, dict.fromkeys(FLOORS, error(N))) for N in orders]
