@@ -1,6 +1,8 @@
 """The page on one oscillator: its numbers, its figures, and that it stands by itself."""
 
 import re
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -104,7 +106,7 @@ def test_the_derivative_that_jumps_is_drawn_with_its_jump(found: Collected) -> N
 
 
 def test_the_page_says_the_numbers(found: Collected) -> None:
-    pictures = dict.fromkeys(figures.figures_of(found), '<svg viewBox="0 0 1 1"></svg>')
+    pictures = dict.fromkeys(figures.figures_of(CASE), '<svg viewBox="0 0 1 1"></svg>')
     assert set(pictures) == set(figures.FIGURES)
     assert set(figures.SKETCHES) >= set(NAMES)
     text = page(found, "<h3>equations</h3>", pictures)
@@ -196,7 +198,15 @@ def test_a_page_on_a_structure(run, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr(collected, "POWER_ORDERS", (8, 16))
     monkeypatch.setattr(collected, "FACTOR_ORDERS", (4, 6))
     monkeypatch.setattr(pictures, "SUFFIXES", (".svg",))
-    texts = []
+    texts, progress = [], []
+
+    @contextmanager
+    def counted(total: int, task: str) -> Iterator[Callable[[str], None]]:
+        done: list[str] = []
+        yield done.append
+        progress.append((total, len(done)))
+
+    monkeypatch.setattr("nonsmooth.cli.commands.paper.progress", counted)
     for name in ("chain-impact", "jenkins-absorber"):
         target = tmp_path / name
         assert run("report", name, "-o", target)[0] == 0
@@ -207,6 +217,7 @@ def test_a_page_on_a_structure(run, tmp_path: Path, monkeypatch) -> None:
         assert 'id="sketch-' not in text
         texts.append(text)
     impacts, slides = texts
+    assert [total - done for total, done in progress] == [0, 0]
     exact = ns.exact(ns.scene("chain-impact")())
     assert f"There are {len(exact.multipliers) - 8} smaller ones." in impacts
     assert f"{abs(exact.multipliers[0]):.5g}" in impacts

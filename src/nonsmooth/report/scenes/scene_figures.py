@@ -14,6 +14,7 @@ from nonsmooth.plots.sweeps import name_of_error
 from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.orbit.errors import derivative
 from nonsmooth.solver.orbit.motion import Motion
+from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about
 
 from ..pictures import ABOVE, Draw, legend
@@ -139,7 +140,7 @@ FIGURES: Mapping[str, tuple[Draw, str]] = {
 }
 
 
-def figures_of(found: Collected) -> dict[str, Draw]:
+def figures_of(case: Case) -> dict[str, Draw]:
     """Return the functions that draw the figures of a case; the sketch only if there is one."""
-    drawn = found.case.scene.name in SKETCHES
+    drawn = case.scene.name in SKETCHES
     return {name: draw for name, (draw, _) in FIGURES.items() if drawn or name != "sketch"}

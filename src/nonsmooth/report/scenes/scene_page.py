@@ -126,8 +126,8 @@ FILES = files(FIGURES)
 
 
 def count(case: Case) -> int:
-    """Return the largest number of steps of which `build` reports progress."""
-    return steps(case) + 1 + len(FIGURES) + 1
+    """Return the number of steps of which `build` reports progress."""
+    return steps(case) + 1 + len(figures_of(case)) + 1
 
 
 def build(
@@ -151,7 +151,5 @@ def build(
     results = collect(case, exact, done)
     equations = folded(fragment_of(derived.sections(source, (), None)))
     done("equations")
-    pictures = {
-        name: partial(figure, draw, results) for name, draw in figures_of(results).items()
-    }
+    pictures = {name: partial(figure, draw, results) for name, draw in figures_of(case).items()}
     write_report(folder, pictures, partial(page, results, equations), done)
