@@ -8,6 +8,7 @@ from itertools import chain, islice, product
 import numpy as np
 
 from .arrays import Vector
+from .bodies.harmonics.system import mean_fixes
 from .exact import ExactOrbit, exact_orbit, starts
 from .existence.known import known
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
@@ -17,6 +18,7 @@ from .kernels.start import PATIENCE, RoughTimes, is_reversible, is_singular, rou
 from .no_orbit import NoOrbit
 from .orbit.solution import Solution, attempt
 from .results.orbit import Orbit
+from .scenes.bodies.cell import BodyCell
 from .scenes.case import Case
 from .scenes.methods import FIRST, about
 from .scenes.parameter_error import whole
@@ -83,6 +85,13 @@ class Search:
 
     def _what_else(self) -> Iterator[str]:
         """Yield further reasons why no orbit was found, where any are known."""
+        cell, series = self.case.cell, about(self.method).is_series
+        if series and isinstance(cell, BodyCell) and not mean_fixes(cell):
+            yield (
+                f"{self.kernel.method} cannot compute one: nothing damps or holds a motion "
+                "that repeats with the forcing, and no mean contact force determines it"
+            )
+            return
         if self.exact or known(self.case).orbits:
             yield "there is an exact orbit, and from its times there is no way to one"
             return

@@ -156,7 +156,7 @@ def _fixing(frame: Frame) -> tuple[Indices, Matrix]:
     return mean, np.array(by_law).T[: len(mean)] / len(by_law)
 
 
-def _mean_fixes(cell: "BodyCell") -> bool:
+def mean_fixes(cell: "BodyCell") -> bool:
     """Whether constant contact forces act on the directions that periodicity leaves open."""
     _, directions = shifts(cell)
     if not (directions.size and cell.forced and len(cell.phases) == 1):
@@ -187,9 +187,9 @@ def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Ev
     Raises
     ------
     numpy.linalg.LinAlgError
-        If the system is singular.
+        If the system is singular, as it is at any times without `mean_fixes`.
     """
-    if not _mean_fixes(cell):
+    if not mean_fixes(cell):
         raise np.linalg.LinAlgError
     count = len(cell.phases)
     T = cell.duration if cell.forced else float(times[:count].sum())
