@@ -179,10 +179,14 @@ class Machine:
                 yield self.released(place, speed, angle)
 
     def starts(self, angle: float) -> list[AnyState | None]:
-        """Return the states from which `settle` simulates: at rest, and in each held phase."""
+        """Return the states from which `settle` simulates: at rest, and in each held phase.
+
+        Without a forcing rest may last: then a unit of length aside, to either side, too.
+        """
         still, held = self.still(angle), (p for p, q in enumerate(self.nodes) if q.phase.held)
         begun = (self.by("begun", p, still) for p in held)
-        return [self.at_rest(angle), *map(self.remembered, begun)]
+        aside = () if self.cell.forced else (self.released(x, 0.0, angle) for x in (1.0, -1.0))
+        return [self.at_rest(angle), *map(self.remembered, begun), *aside]
 
     def remembered(self, state: AnyState) -> AnyState:
         """Return a state with a suitable memory, where none is known.

@@ -8,7 +8,7 @@ import numpy as np
 import one_mass
 import pytest
 from every_run import tried
-from made_scenes import dry, made
+from made_scenes import dry, made, mirrored
 from reached import EVERY_RUN, IMPACT, REACHED
 
 import nonsmooth as ns
@@ -233,6 +233,19 @@ def test_a_phase_that_ends_at_another_event_than_its_own_is_not_that_of_the_orde
     assert found.words.startswith(f"{OTHER}: phase 0, -phase 1, -phase 0, phase 1, in each")
     durations = [phase.duration for phase in ns.exact(friction).phases]
     assert durations == pytest.approx(2 * list(found.other.times.durations), abs=1e-3)
+
+
+def test_a_motion_that_excites_itself_starts_beside_its_equilibrium() -> None:
+    """Damping is negative between two places, so that rest at 0 lasts for ever, unstable."""
+    case = made(
+        [(1, 0.6, 1, 0, 0), (1, -0.2, 1, 0, 0)],
+        [(1, 0, 0, -1), mirrored(1, 0, 0, -1)],
+        half=True,
+        demands=[{"beyond": (1, 0, 0, -1)}, {"within": (-1, 0, 0, 1), "and": (1, 0, 0, 1)}],
+    )()
+    exact = ns.exact(case)
+    found = [q.times.durations for q in rough_times_by_simulation(case) if q.times]
+    assert found[0] == pytest.approx(exact.cell_durations, rel=1e-3)
 
 
 def test_of_phases_with_one_equation_it_does_not_matter_which_is_followed() -> None:
