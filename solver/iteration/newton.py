@@ -53,4 +53,5 @@ def newton(
     z = start.copy()
     with np.errstate(all="ignore"):  # an overflow is reported as such
         status, iterations, correction, norm = iteration(case, z, limit)
-    return Outcome(z, status == CONVERGED, iterations, correction, norm, REASONS[status])
+    sizes = float(correction), float(norm)  # of NumPy, if not compiled
+    return Outcome(z, status == CONVERGED, iterations, *sizes, REASONS[status])

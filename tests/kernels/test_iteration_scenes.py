@@ -58,6 +58,7 @@ def test_converges_quadratically_to_the_last_digit() -> None:
     assert outcome.unknowns.tolist() == [1, 2]
     assert outcome.iterations <= 6
     assert outcome.correction <= ROUNDOFF
+    assert type(outcome.correction) is type(outcome.residual_norm) is float
     assert outcome.residual_norm == 0
 
 
