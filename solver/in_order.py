@@ -77,9 +77,10 @@ def cases_in_order(
 
 
 def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
-    """Yield the undeclared orders on which simulations settle: cases, and times of their cells.
+    """Yield the orders on which simulations settle: cases, and times of their cells.
 
-    Their motions have the period of the case.  For the starts see `from_several_states`.
+    Simulated is the motion with the most phases; others may be declared, too.  Their motions
+    have the period of the case.  For the starts see `from_several_states`.
     """
     base = case.of_fullest()
     listed = known(base).listed
@@ -90,9 +91,8 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
             continue
         if settled.conclusive:
             orders.add(other.order)
-        if declared_as(base.scene, other.order) is None:
-            scene = in_order(base.scene, other.order)
-            yield Case(scene, case.values, case.cycles), other.times
+        scene = declared_as(base.scene, other.order) or in_order(base.scene, other.order)
+        yield Case(scene, case.values, case.cycles), other.times
 
 
 def choices(base: LoadedScene, name: str) -> list[Step]:

@@ -14,7 +14,7 @@ from reached import EVERY_RUN, IMPACT, REACHED
 import nonsmooth as ns
 from nonsmooth.solver.exact import _by_half, exact_orbit
 from nonsmooth.solver.flow import flow
-from nonsmooth.solver.in_order import cases_in_order
+from nonsmooth.solver.in_order import cases_in_order, settled_cases
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.no_orbit import NoOrbit
@@ -107,6 +107,15 @@ def test_solve_falls_back_on_it() -> None:
         with pytest.raises(NoOrbit) as caught:
             search(IMPACT(gap=5))
         assert caught.value.tried[-1] == WITHOUT
+
+
+def test_another_motion_of_the_scene_on_which_it_settles_is_that_motion() -> None:
+    """Where its own phases do not admit the transient, nothing else leads to its orbit."""
+    case = ns.scene("dry-friction")()
+    (each, times), *_ = settled_cases(case)
+    assert each == case.of_motion("sliding")
+    durations = ns.exact(each).cell_durations
+    assert times.durations == pytest.approx(durations, rel=1e-3)
 
 
 def test_exact_orbits_start_from_it_too() -> None:
