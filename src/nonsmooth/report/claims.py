@@ -58,12 +58,12 @@ def table(name: str) -> Any:
     return _joined(tomllib.loads(Path(__file__).with_name(name).read_text("utf-8")))
 
 
-def _joined(found: Any) -> Any:
-    if isinstance(found, dict):
-        return {key: _joined(value) for key, value in found.items()}
-    if isinstance(found, list):
-        return [_joined(value) for value in found]
-    return " ".join(found.split()) if isinstance(found, str) else found
+def _joined(entry: Any) -> Any:
+    if isinstance(entry, dict):
+        return {key: _joined(value) for key, value in entry.items()}
+    if isinstance(entry, list):
+        return [_joined(value) for value in entry]
+    return " ".join(entry.split()) if isinstance(entry, str) else entry
 
 
 def _claim(part: list[dict[str, Any]], **text: str) -> Claim:

@@ -133,7 +133,7 @@ def force(belt: ns.StickSlip, alpha: float) -> float:
     return belt.normal_force * alpha / belt.alpha
 
 
-def in_words(belt: ns.StickSlip, found: list[tuple[float, float]]) -> str:
+def in_words(belt: ns.StickSlip, intervals: list[tuple[float, float]]) -> str:
     """Return intervals of alpha in words, as normal forces.
 
     Examples
@@ -144,7 +144,7 @@ def in_words(belt: ns.StickSlip, found: list[tuple[float, float]]) -> str:
     >>> in_words(DEFAULT, [(0, math.inf)]), in_words(DEFAULT, [])
     ('everywhere', 'nowhere')
     """
-    return listed([_words(belt, low, high) for low, high in found]) or "nowhere"
+    return listed([_words(belt, low, high) for low, high in intervals]) or "nowhere"
 
 
 def _words(belt: ns.StickSlip, low: float, high: float) -> str:

@@ -78,11 +78,11 @@ def in_band_with_any_solution(case: Case) -> Finding:
             errors[N] = abs(case.measured("period", "c1", N))
         else:
             natural = 2 * math.pi / case.belt.omega_n
-            short = [found for found in solutions(case.belt, N) if found.slip < natural]
+            short = [root for root in solutions(case.belt, N) if root.slip < natural]
             if not short:
                 words = f"at N = {N} there is none of a slip shorter than a natural period"
                 return Finding(False, words)
-            nearest = min(short, key=lambda found: abs(found.t1 - case.exact.t1))
+            nearest = min(short, key=lambda root: abs(root.t1 - case.exact.t1))
             errors[N] = abs(nearest.period / case.exact.period - 1)
         if errors[N] < FLOORS["period"]:
             break

@@ -25,7 +25,7 @@ def page_of(case: Case, done: Callable[[str], None] = lambda what: None) -> Coll
     return collect(exact.case, exact, done)
 
 
-def show(found: Collected, *names: str) -> None:
+def show(results: Collected, *names: str) -> None:
     """Draw figures of a page side by side; `names` are keys of `FIGURES`."""
     with mpl.rc_context(SETTINGS):
         size = (4.6 * len(names), 3.4)
@@ -33,15 +33,15 @@ def show(found: Collected, *names: str) -> None:
         axes = figure.subplots(1, len(names), squeeze=False)[0]
         for place, name in zip(axes, names, strict=True):
             draw, _ = FIGURES[name]
-            draw(place, found)
+            draw(place, results)
         plt.show()
 
 
-def table_of_rates(found: Collected) -> str:
+def table_of_rates(results: Collected) -> str:
     """Return a table of measured rates and those of theory, as text."""
     names = ("name", "times", "times_theory", "discontinuous", "discontinuous_theory")
     rows: list[tuple[str, ...]] = [("expansion", "times", "theory", "jump", "theory")]
-    rows += [tuple(row[name] for name in names) for row in rates(found)]
+    rows += [tuple(row[name] for name in names) for row in rates(results)]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join(
         "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
@@ -49,12 +49,12 @@ def table_of_rates(found: Collected) -> str:
     )
 
 
-def overshoots(found: Collected) -> str:
+def overshoots(results: Collected) -> str:
     """Return a table of the overshoots of the expansions, as text."""
-    orders = {name: orbit.order for name, orbit in found.ringing.items()}
+    orders = {name: orbit.order for name, orbit in results.ringing.items()}
     return "\n".join(
         f"{name:16} N = {orders[name]:2}: {round(most, 2) + 0.0:6.2f} %"  # not -0.00
-        for name, most in found.beyond.items()
+        for name, most in results.beyond.items()
     )
 
 

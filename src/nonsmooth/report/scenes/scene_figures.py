@@ -25,24 +25,24 @@ from .sketches import SKETCHES, sketch
 POINTS = 800
 
 
-def drawing(axes: Any, found: Collected) -> None:
+def drawing(axes: Any, results: Collected) -> None:
     """Draw the sketch of the oscillator."""
-    sketch(axes, found.case.scene.name)
+    sketch(axes, results.case.scene.name)
 
 
-def plane(axes: Any, found: Collected) -> None:
+def plane(axes: Any, results: Collected) -> None:
     """Draw the phase plane: the exact orbit, and orbits of low order."""
-    draw_motion(found.exact, axes, linewidth=1.6)
-    for name, orbit in found.small.items():
+    draw_motion(results.exact, axes, linewidth=1.6)
+    for name, orbit in results.small.items():
         draw_motion(orbit, axes, label=f"{name}, N = {orbit.order}")
-    for phase in found.exact.phases:
+    for phase in results.exact.phases:
         axes.plot(phase.displacement, phase.velocity, "o", color="black", markersize=4)
     legend(axes, 2)
 
 
-def history(axes: Any, found: Collected) -> None:
+def history(axes: Any, results: Collected) -> None:
     """Draw displacement and velocity over a period, and the switches."""
-    exact, beside = found.exact, axes.twinx()
+    exact, beside = results.exact, axes.twinx()
     draw_motion(exact, axes, "displacement", label="displacement", color="0.2", linewidth=1.5)
     look = {"color": "#0072B2", "linestyle": "--", "linewidth": 1.5}
     draw_motion(exact, beside, "velocity", label="velocity", **look)
@@ -72,11 +72,11 @@ def _over_time(motion: Motion, order: int) -> tuple[Vector, Vector]:
     return beyond(np.concatenate(times), np.concatenate(values))
 
 
-def jumping(axes: Any, found: Collected) -> None:
+def jumping(axes: Any, results: Collected) -> None:
     """Draw the first derivative that jumps, by all methods: Fourier series overshoot there."""
-    order = found.case.cell.k + 1
-    axes.plot(*_over_time(found.exact, order), label="exact", **EXACT | {"linewidth": 1.6})
-    for name, orbit in found.ringing.items():
+    order = results.case.cell.k + 1
+    axes.plot(*_over_time(results.exact, order), label="exact", **EXACT | {"linewidth": 1.6})
+    for name, orbit in results.ringing.items():
         words = f"{name}, N = {orbit.order}"
         axes.plot(*_over_time(orbit, order), label=words, **line(orbit) | {"linewidth": 1})
     unit = "m/s" if order == 1 else f"m/s$^{order}$"
@@ -87,17 +87,17 @@ def jumping(axes: Any, found: Collected) -> None:
 def convergence(name: str) -> Draw:
     """Return a function that draws one error against the order, with the slopes of theory."""
 
-    def draw(axes: Any, found: Collected) -> None:
-        for way, curve in found.curves.items():
+    def draw(axes: Any, results: Collected) -> None:
+        for way, curve in results.curves.items():
             orders = [*curve]
             errors = [max(getattr(each, name), LEAST) for each in curve.values()]
             axes.loglog(orders, errors, label=way.name, **_marked(way))
             if about(way.method).power and orders:
-                rate = theory(found, way, name)
+                rate = theory(results, way, name)
                 slope = errors[0] * (np.array(orders) / orders[0]) ** -(rate or 0.0)
                 if rate is not None and errors[0] > LEAST:
                     axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
-        quantity = name_of_error(found.case.scene, name)
+        quantity = name_of_error(results.case.scene, name)
         axes.set(xlabel="order $N$", ylabel=f"error of {quantity}")
         axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
         axes.minorticks_off()
@@ -106,17 +106,17 @@ def convergence(name: str) -> Draw:
     return draw
 
 
-def theory(found: Collected, way: Way, name: str) -> float | None:
+def theory(results: Collected, way: Way, name: str) -> float | None:
     """Return the power of 1/N with which an error of a series falls by theory; None if unknown.
 
     Of a structure it is known for the times only, and if not all switches are impacts: impulses
     alone leave no error.
     """
-    functions, scene = way.functions or 0, found.case.scene
+    functions, scene = way.functions or 0, results.case.scene
     if scene.has_body and (name != "times" or not any(scene.classes)):
         return None
     rate = rate_of_times if name == "times" else rate_of_jump
-    return rate(found.case, functions)
+    return rate(results.case, functions)
 
 
 def _marked(way: Way) -> dict[str, Any]:

@@ -31,19 +31,19 @@ ROUNDING = 1e-14
 ERRORS = ("times", "discontinuous")
 
 
-def page(found: Collected, equations: str, pictures: Mapping[str, str]) -> str:
+def page(results: Collected, equations: str, pictures: Mapping[str, str]) -> str:
     """Return the page as self-contained HTML.
 
     Parameters
     ----------
-    found : Collected
+    results : Collected
         The results.
     equations : str
         The derived equations, as a fragment.
     pictures : dict of str to str
         SVG by name.
     """
-    case, scene = found.case, found.case.scene
+    case, scene = results.case, results.case.scene
     *smooth, jumps = ("x" + "\N{PRIME}" * order for order in range(scene.k + 2))
     return filled(
         "scenes/scene.html.jinja",
@@ -51,17 +51,17 @@ def page(found: Collected, equations: str, pictures: Mapping[str, str]) -> str:
         is_body=scene.has_body,
         values=case.values,
         description=case.description,
-        exact=found.exact,
+        exact=results.exact,
         beside=beside,
-        multipliers=multipliers(found.exact),
+        multipliers=multipliers(results.exact),
         k=scene.k,
         smooth=listed(smooth),
         jumps=jumps,
-        ringing=found.ringing,
-        beyond=found.beyond,
+        ringing=results.ringing,
+        beyond=results.beyond,
         gibbs=f"{100 * GIBBS:.2f}",
-        rates=rates(found),
-        curves=found.curves,
+        rates=rates(results),
+        curves=results.curves,
         pictures={name: inline(svg, name, FIGURES[name][1]) for name, svg in pictures.items()},
         equations=equations,
         mathematics=mathematics(scene, methods(scene)),
@@ -105,15 +105,15 @@ def _multiplier(value: complex, rounding: float) -> dict[str, str]:
     return {"modulus": f"{modulus:.5g}", "argument": signed(argument), "stable": stable}
 
 
-def rates(found: Collected) -> list[dict[str, str]]:
+def rates(results: Collected) -> list[dict[str, str]]:
     """Return measured rates of convergence and those of theory, a row for each way."""
     rows = []
-    for way, curve in found.curves.items():
+    for way, curve in results.curves.items():
         errors = [(order, vars(each)) for order, each in curve.items()]
         measured, power = rate(way.method, errors), about(way.method).power
         row = {"name": way.name}
         for name in ERRORS:
-            fall = theory(found, way, name)
+            fall = theory(results, way, name)
             expected = "" if fall is None else f"N^-{fall:g}"
             expected = expected if power else "faster than any power"
             row |= {name: measured.text(name), f"{name}_theory": expected}
