@@ -19,11 +19,11 @@ COLOURS = "cividis"
 
 
 @mpl.rc_context({"axes.grid": False})
-def digits_figure(case: Case, found: "list[Kept]") -> Figure:
+def digits_figure(case: Case, measured: "list[Kept]") -> Figure:
     """Draw the correct digits of the times: a map for the exact equations and each method."""
-    methods = list(dict.fromkeys(kept.method for kept in found))
-    extremes = list(dict.fromkeys(kept.extreme for kept in found))[::-1]
-    orders = sorted({kept.order for kept in found if kept.order is not None})
+    methods = list(dict.fromkeys(kept.method for kept in measured))
+    extremes = list(dict.fromkeys(kept.extreme for kept in measured))[::-1]
+    orders = sorted({kept.order for kept in measured if kept.order is not None})
     widths = [1 if method == EXACT else max(2, len(orders)) for method in methods]
     size = (3.2 + 0.42 * sum(widths), 1.6 + 0.28 * len(extremes))
     figure = Figure(figsize=size, layout="constrained")
@@ -33,7 +33,7 @@ def digits_figure(case: Case, found: "list[Kept]") -> Figure:
         columns: list[int | None] = [None] if method == EXACT else [*orders]
         digits = np.full((len(extremes), len(columns)), np.nan)
         words = np.full(digits.shape, "", dtype=object)
-        for kept in (kept for kept in found if kept.method == method):
+        for kept in (kept for kept in measured if kept.method == method):
             place = extremes.index(kept.extreme), columns.index(kept.order)
             digits[place] = np.nan if kept.digits is None else kept.digits
             words[place] = kept.words.replace(".0", "")

@@ -88,13 +88,13 @@ def _draw_mode(
     axes.axvline(float(attached.a) * attached.length, color="0.7", linewidth=0.8)
 
 
-def modes_figure(found: "Sequence[Modes]") -> Figure:
+def modes_figure(expansions: "Sequence[Modes]") -> Figure:
     """Draw mode shapes, and beside each the first discontinuous derivative.
 
     The exact ones are drawn as wide lines behind them.  The modes are in one pair of columns,
     or, if there are many, in several.  A `ValueError` is raised if there are more than `MOST`.
     """
-    count = max(map(len, found))
+    count = max(map(len, expansions))
     if count > MOST:
         raise ValueError(f"count: got {count}, expected at most {MOST} in a picture")
     pairs = math.ceil(math.sqrt(count / BELOW))
@@ -102,9 +102,9 @@ def modes_figure(found: "Sequence[Modes]") -> Figure:
     figure = Figure(figsize=(8 * pairs, 1.2 + 1.9 * rows), layout="constrained")
     axes = figure.subplots(rows, 2 * pairs, squeeze=False, sharex=True)
     panels = axes.reshape(rows, pairs, 2).swapaxes(0, 1).reshape(-1, 2)  # down each column
-    titles = ("shape", f"{found[0][0].quantity}, the first that jumps")
+    titles = ("shape", f"{expansions[0][0].quantity}, the first that jumps")
     for number, pair in enumerate(panels[:count], 1):
-        _draw_pair(found, pair, number)
+        _draw_pair(expansions, pair, number)
         for panel, title in zip(pair, titles, strict=True):
             if (number - 1) % rows == 0:
                 panel.set(title=title)
@@ -114,14 +114,14 @@ def modes_figure(found: "Sequence[Modes]") -> Figure:
     for panel in panels[count:].flat:
         panel.remove()
     figure.align_ylabels()
-    words = f"{found[0].structure.name}: {found[0].attached.described()}"
+    words = f"{expansions[0].structure.name}: {expansions[0].attached.described()}"
     frame(figure, axes[0, 0], words, 4)
     return figure
 
 
-def _draw_pair(found: "Sequence[Modes]", pair: Any, number: int) -> None:
+def _draw_pair(expansions: "Sequence[Modes]", pair: Any, number: int) -> None:
     """Draw one mode, and its discontinuous derivative, of each expansion that has this mode."""
-    with_mode = [expansion for expansion in found if number <= len(expansion)]
+    with_mode = [expansion for expansion in expansions if number <= len(expansion)]
     for panel, quantity in zip(pair, QUANTITIES, strict=True):
         draw_exact(with_mode[0], panel, quantity, number)
         for expansion in with_mode:
@@ -215,19 +215,19 @@ def convergence_figure(study: "Convergence") -> Figure:
 
 
 def family_figure(
-    name: str, values: "Sequence[float]", found: "Sequence[Modes]", log: bool = False
+    name: str, values: "Sequence[float]", expansions: "Sequence[Modes]", log: bool = False
 ) -> Figure:
     """Draw the angular frequencies against a parameter."""
     figure = Figure(figsize=(8, 4.2), layout="constrained")
     axes = figure.subplots()
-    for i in range(min(map(len, found))):
-        omega = [expansion[i].omega for expansion in found]
+    for i in range(min(map(len, expansions))):
+        omega = [expansion[i].omega for expansion in expansions]
         axes.plot(values, omega, marker=".", linewidth=1.0, label=f"mode {i + 1}")
     if log:
         axes.set_xscale("log")
     axes.set(xlabel=name, ylabel=r"$\omega$ [rad/s]", yscale="log")
     figure.legend(loc="outside right center", frameon=False)
-    expansion = found[0]
+    expansion = expansions[0]
     words = f"{expansion.structure.name} by {expansion.shown}, N = {expansion.order}"
     parameters = expansion.attached.described(name.replace("-", "_"))
     say_below(figure, f"{words}: {parameters}")
