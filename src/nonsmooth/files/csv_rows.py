@@ -82,17 +82,17 @@ def of_family(result: "Family") -> list[dict[str, Any]]:
 
 
 def of_modes(
-    found: "Sequence[Modes]", vary: str = "", values: Sequence[float] = ()
+    expansions: "Sequence[Modes]", vary: str = "", values: Sequence[float] = ()
 ) -> list[dict[str, Any]]:
     """Return a row a mode, with the structure and its parameters behind it.
 
     First stands the value of what is varied.
     """
-    names = [*MODES, *found[0].attached.values]
+    names = [*MODES, *expansions[0].attached.values]
     names = [name for name in names if name != vary.replace("-", "_")]
     return [
         ({vary: values[place]} if vary else {}) | {name: row[name] for name in names}
-        for place, expansion in enumerate(found)
+        for place, expansion in enumerate(expansions)
         for row in expansion.table().rows()
     ]
 

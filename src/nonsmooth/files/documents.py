@@ -55,10 +55,10 @@ def origin_of_modes(structure: "Structure") -> dict[str, Any]:
     return _origin(units, structure.module.MATHEMATICS[:16])
 
 
-def _origin(units: dict[str, str], found: str) -> dict[str, Any]:
+def _origin(units: dict[str, str], digest: str) -> dict[str, Any]:
     from nonsmooth import __version__  # noqa: PLC0415
 
-    return {"units": units, "version": __version__, "mathematics": found}
+    return {"units": units, "version": __version__, "mathematics": digest}
 
 
 def document_of(kind: str, several: Sequence[Any]) -> dict[str, Any]:
@@ -79,7 +79,7 @@ def document_of(kind: str, several: Sequence[Any]) -> dict[str, Any]:
 
 
 def of_each(
-    case: "Case", found: "Mapping[str, Orbit | NoOrbit]", order: int | None,
+    case: "Case", outcomes: "Mapping[str, Orbit | NoOrbit]", order: int | None,
     functions: int | None, exact: "ExactOrbit | None",
 ) -> list[dict[str, Any]]:  # fmt: skip
     """Return the document of each orbit, with null for what an absent one lacks."""
@@ -87,13 +87,13 @@ def of_each(
         orbit.as_dict()
         if isinstance(orbit, Orbit)
         else document_without_orbit(case, method, order, functions, orbit, exact)
-        for method, orbit in found.items()
+        for method, orbit in outcomes.items()
     ]
 
 
-def of_modes(found: "Sequence[Modes]") -> dict[str, Any]:
+def of_modes(expansions: "Sequence[Modes]") -> dict[str, Any]:
     """Return the document of one expansion, or of several in ``expansions``."""
-    documents = [expansion.as_dict() for expansion in found]
+    documents = [expansion.as_dict() for expansion in expansions]
     if len(documents) == 1:
         return documents[0]
     shared = same_of_all(documents)
@@ -102,13 +102,13 @@ def of_modes(found: "Sequence[Modes]") -> dict[str, Any]:
 
 
 def of_varied_modes(
-    name: str, values: Sequence[float], found: "Sequence[Modes]"
+    name: str, values: Sequence[float], expansions: "Sequence[Modes]"
 ) -> dict[str, Any]:
     """Return the document of modes over a parameter."""
-    pairs = zip(values, found, strict=True)
+    pairs = zip(values, expansions, strict=True)
     return {
-        "structure": found[0].structure.name,
-        "class": f"C{found[0].structure.k}",
+        "structure": expansions[0].structure.name,
+        "class": f"C{expansions[0].structure.k}",
         "vary": name,
         "points": [{"value": value} | expansion.as_dict() for value, expansion in pairs],
     }

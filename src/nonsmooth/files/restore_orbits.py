@@ -183,12 +183,12 @@ def _branch(document: Mapping[str, Any], case: Case) -> Branch:
     return Branch(case, parameter, method, order, document.get("functions"), *contents)
 
 
-def _beside(given: Mapping[str, Any] | None) -> Beside | None:
+def _beside(row: Mapping[str, Any] | None) -> Beside | None:
     """Return the orbit of an expansion next to an exact one."""
-    if given is None:
+    if row is None:
         return None
-    checks.times(given, given["durations"])
-    return Beside(*_times(given), Errors(**given["errors"]))
+    checks.times(row, row["durations"])
+    return Beside(*_times(row), Errors(**row["errors"]))
 
 
 def _map(document: Mapping[str, Any], case: Case) -> Chart:
@@ -248,12 +248,12 @@ def _checked(row: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _errors(
-    row: Mapping[str, Any], found: Mapping[str, Any], kind: type[Errors] = Errors
+    row: Mapping[str, Any], errors: Mapping[str, Any], kind: type[Errors] = Errors
 ) -> Errors | None:
     """Return errors; None without an orbit, or where nothing is known of them."""
-    values = [found.get(field.name) for field in fields(kind)]
+    values = [errors.get(field.name) for field in fields(kind)]
     if row["status"] != "ok" or all(value is None for value in values):
         return None
     for name in ("times", "discontinuous"):
-        checks.not_negative(name, found[name])
+        checks.not_negative(name, errors[name])
     return kind(*(float("inf") if value is None else value for value in values))

@@ -57,14 +57,14 @@ def _of_file(path: Path) -> LoadedScene:
     return _kept(key_of_text(text), lambda: read_scene(path, text), str(path))
 
 
-def _kept(key: str, made: Callable[[], Any], where: str) -> LoadedScene:
+def _kept(key: str, make: Callable[[], Any], where: str) -> LoadedScene:
     """Return the scene of a key from the cache; if it is new, make, derive and keep it.
 
     `where` names its origin in messages.
     """
     folder = stored(key)
     if folder is None:
-        folder = keep(key, _derived(made(), where))
+        folder = keep(key, _derived(make(), where))
     try:
         scene = loaded.load_folder(folder, sealed.read(folder))
     except Exception as error:
