@@ -181,11 +181,11 @@ def _without_gaps(examples: str) -> str:
 
 
 def option(
-    names: str, type_: Any, help_: str, kind: type[click.Option] = click.Option, **more: Any
+    names: str, type_: Any, help_: str, kind: type[click.Option] = click.Option, **settings: Any
 ) -> click.Option:
     """Return an option from its flags and name; without a type it is a switch."""
     how = {"is_flag": True} if type_ is None else {"type": type_}
-    return kind(names.split(), help=help_, **how, **more)
+    return kind(names.split(), help=help_, **how, **settings)
 
 
 def flag(name: str) -> str:

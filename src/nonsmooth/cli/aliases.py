@@ -44,12 +44,12 @@ class Once(click.Option):
         super().__init__(names, multiple=True, callback=_only, **options)
 
 
-def _only(ctx: click.Context, option: click.Parameter, given: tuple[Any, ...]) -> Any:
+def _only(ctx: click.Context, option: click.Parameter, values: tuple[Any, ...]) -> Any:
     """Return the single value of an option; None without it."""
-    if len(given) > 1:
-        listed = " and ".join(map(str, given))
+    if len(values) > 1:
+        listed = " and ".join(map(str, values))
         raise Problem(f"{option.opts[0]}: got {listed}, expected one of them")
-    return given[0] if given else None
+    return values[0] if values else None
 
 
 class OneOrder(IntegerType):

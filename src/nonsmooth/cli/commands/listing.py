@@ -77,15 +77,15 @@ def modes(json_: bool) -> None:
     click.echo(_columns(("structure", "class", "attached", "what it is"), rows))
 
 
-def _print_json(found: dict[str, Any]) -> None:
+def _print_json(contents: dict[str, Any]) -> None:
     from nonsmooth.files.json_text import as_json
 
-    click.echo(as_json(found))
+    click.echo(as_json(contents))
 
 
-def _phases(found: dict[str, Any]) -> str:
+def _phases(scene: dict[str, Any]) -> str:
     """Return the phases of a scene; those of several motions one after the other."""
-    orders = found["motions"] or [found]
+    orders = scene["motions"] or [scene]
     return "; ".join(", ".join(order["phases"]) for order in orders)
 
 
@@ -101,32 +101,32 @@ def _columns(heads: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
     return "\n".join(lines)
 
 
-def _describe(found: dict[str, Any]) -> None:
-    click.echo(_wrapped(f"{found['name']}: {found['what']} ({found['class']})", ""))
-    if found["source"]:
-        click.echo(_wrapped(f"  {found['source']}", "  "))
+def _describe(scene: dict[str, Any]) -> None:
+    click.echo(_wrapped(f"{scene['name']}: {scene['what']} ({scene['class']})", ""))
+    if scene["source"]:
+        click.echo(_wrapped(f"  {scene['source']}", "  "))
     click.echo()
     rows = [
         (f"--{q['name'].replace('_', '-')}", q["symbol"], q["unit"], f"{q['default']:g}",
          f"{q['what']}; {q['expected']}")
-        for q in found["parameters"]
+        for q in scene["parameters"]
     ]  # fmt: skip
     click.echo(_columns(("parameter", "symbol", "unit", "default", "what it is"), rows))
-    for words in found["requires"]:
+    for words in scene["requires"]:
         click.echo(_wrapped(f"  expected: {words}", "  "))
-    if "body" in found:
-        click.echo("\n" + _wrapped(_body(found["body"]), "  "))
-    for phase in found["phases"]:
+    if "body" in scene:
+        click.echo("\n" + _wrapped(_body(scene["body"]), "  "))
+    for phase in scene["phases"]:
         click.echo("\n" + _phase(phase))
-    for motion in found["motions"]:
+    for motion in scene["motions"]:
         click.echo(f"\nmotion {motion['name']} ({motion['class']})")
         for phase in motion["phases"]:
             click.echo("\n" + _phase(phase))
-    if found["half_period"]:
+    if scene["half_period"]:
         click.echo("\nThese phases are half a period: x(t + T/2) = -x(t).")
     names = (
         q["shown"] + (f" (K = {', '.join(map(str, q['functions']))})" if q["functions"] else "")
-        for q in found["methods"]
+        for q in scene["methods"]
     )
     click.echo("\n" + _wrapped(f"methods: {', '.join(names)}", ""))
 

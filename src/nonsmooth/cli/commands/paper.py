@@ -90,7 +90,7 @@ def roots(given: Given[Any], to: Destination, order: int) -> int:
     return 0 if any(not root.violations for root in isolated) else 1
 
 
-def _pieces(belt: "StickSlip", found: "list[RealSolution]") -> "Iterator[Piece]":
+def _pieces(belt: "StickSlip", isolated: "list[RealSolution]") -> "Iterator[Piece]":
     """Show one row a solution; a long verdict goes on in the next line."""
     from ..columns import table_of
     from ..scenes.captions import caption
@@ -98,7 +98,7 @@ def _pieces(belt: "StickSlip", found: "list[RealSolution]") -> "Iterator[Piece]"
     yield caption(belt)
     table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch")
     table.add_column("verdict", overflow="fold", max_width=VERDICT)
-    for root in found:
+    for root in isolated:
         numbers = (f"{number:.6g}" for number in (root.slip, root.t1, root.period))
         verdict = root.violations[0] if root.violations else "the orbit"
         mismatch = root.transition_mismatch
@@ -120,7 +120,7 @@ def report(given: Given[Any], to: Destination, figure: str | None) -> int:
         return 0
     check_folder(folder, FILES)
     with progress(STEPS, "report") as done:
-        write_folder(folder, lambda made: build(belt, made, done))
+        write_folder(folder, lambda target: build(belt, target, done))
     return 0
 
 
@@ -143,5 +143,5 @@ def report_on(given: Given[Any], to: Destination) -> int:
         return 1
     case = exact.case  # of the motion that occurs, where the scene has several
     with progress(count(case), "report") as done:
-        write_folder(folder, lambda made: build(case, exact, given.said, made, done))
+        write_folder(folder, lambda target: build(case, exact, given.said, target, done))
     return 0

@@ -98,13 +98,13 @@ def _start(
     return orbit.case, orbit.exact
 
 
-def _diagrams(case: Case, found: Branch, along: Vary[float]) -> tuple[Diagram, ...]:
+def _diagrams(case: Case, followed: Branch, along: Vary[float]) -> tuple[Diagram, ...]:
     """Return what simulations settle on along a parameter, upwards and downwards."""
     low, high = sorted((along.first, along.last))
     upwards = np.linspace(low, high, VALUES)
     directions = (values.tolist() for values in (upwards, upwards[::-1]))
     with busy(f"simulating {case.scene.name}"):
-        return tuple(diagram(found.case, along.parameter, values) for values in directions)
+        return tuple(diagram(followed.case, along.parameter, values) for values in directions)
 
 
 def chart(

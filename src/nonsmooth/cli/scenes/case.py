@@ -12,13 +12,13 @@ from ..values import Vary, parse_vary
 from .options import range_of
 
 
-def case_from(given: Given[LoadedScene], **others: float) -> Case:
+def case_from(given: Given[LoadedScene], **settings: float) -> Case:
     """Return the case that the command line describes, of the motion that it names if any.
 
-    Without a case file, what no flag gives has its default; `others` is given beside them.  A
-    `Problem` has all mistakes at once.
+    Without a case file, what no flag gives has its default; `settings` are given beside them.
+    A `Problem` has all mistakes at once.
     """
-    scene, flags = given.about, {**given.flags, **others}
+    scene, flags = given.about, {**given.flags, **settings}
     motion, phases = (flags.pop(name, None) for name in ("motion", "phases"))
     if motion is not None and phases is not None:
         raise Problem(f"--phases: got {phases} beside --motion {motion}, expected one of them")

@@ -75,23 +75,23 @@ def run(
     return 1 if any(kept.lost for kept in measured) else 0
 
 
-def _document(case: Case, found: list[Kept]) -> dict[str, object]:
+def _document(case: Case, measured: list[Kept]) -> dict[str, object]:
     rows = [
         asdict(kept) | {"digits": kept.digits, "met": kept.met, "conditioned": kept.conditioned}
-        for kept in found
+        for kept in measured
     ]
     head = {"scene": case.scene.name, "parameters": dict(case.values)}
-    return head | {"lost": any(kept.lost for kept in found), "rows": rows}
+    return head | {"lost": any(kept.lost for kept in measured), "rows": rows}
 
 
-def _pieces(case: Case, found: list[Kept]) -> Iterator[Piece]:
+def _pieces(case: Case, measured: list[Kept]) -> Iterator[Piece]:
     """Show the digits, and what the columns mean."""
     yield caption(case)
-    orders = sorted({kept.order for kept in found if kept.order is not None})
+    orders = sorted({kept.order for kept in measured if kept.order is not None})
     heads = [f"N = {orders[0]}", *map(str, orders[1:])] if orders else []
     columns = table_of("", "orbit", "exact", *heads, "cond")
-    for extreme in dict.fromkeys(kept.extreme for kept in found):
-        of_extreme = [kept for kept in found if kept.extreme == extreme]
+    for extreme in dict.fromkeys(kept.extreme for kept in measured):
+        of_extreme = [kept for kept in measured if kept.extreme == extreme]
         exact = next(kept for kept in of_extreme if kept.method == EXACT)
         sensitive = exact.orbit_condition
         orbit = exact.status if sensitive is None else f"{sensitive:.0e}"
@@ -107,10 +107,10 @@ def _pieces(case: Case, found: list[Kept]) -> Iterator[Piece]:
                 "" if largest is None else f"{largest:.0e}",
             )
     yield columns
-    measured = [kept for kept in found if kept.error is not None]
-    counts = (sum(bool(kept.met) for kept in measured), sum(kept.lost for kept in measured))
+    with_error = [kept for kept in measured if kept.error is not None]
+    counts = (sum(bool(kept.met) for kept in with_error), sum(kept.lost for kept in with_error))
     yield (
-        f"\n{counts[0]} of {len(measured)} within {TARGET:g} times the orbit's condition; "
+        f"\n{counts[0]} of {len(with_error)} within {TARGET:g} times the orbit's condition; "
         f"{counts[1]} lost without a reason\n"
     )
     also = " and the phase of the forcing" if case.scene.frequency else ""

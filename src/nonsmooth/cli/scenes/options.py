@@ -51,8 +51,8 @@ def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
     return options
 
 
-def _cycles(name: str, more: str = "") -> click.Option:
-    words = f"Periods of the forcing in one period of the motion{more}.  [default: 1]"
+def _cycles(name: str, suffix: str = "") -> click.Option:
+    words = f"Periods of the forcing in one period of the motion{suffix}.  [default: 1]"
     return option(f"--cycles {name}", int, words, metavar="n")
 
 

@@ -26,7 +26,7 @@ MOST = 10_000
 
 def run(
     given: Given[LoadedScene], to: Destination, vary: str | None = None,
-    transient: int | None = None, grid: tuple[str, ...] = (), **wanted: Any,
+    transient: int | None = None, grid: tuple[str, ...] = (), **options: Any,
 ) -> int:  # fmt: skip
     """Simulate one motion, or many; the exit status."""
     if vary is not None and grid:
@@ -34,10 +34,10 @@ def run(
     if transient is not None and vary is None:
         raise Problem(f"--transient: got {transient}, expected beside --vary")
     if vary is None and not grid:
-        return _one(given, to, **wanted)
+        return _one(given, to, **options)
     option = "--grid" if vary is None else "--vary"
-    cycles = wanted.pop("cycles")
-    for name, value in wanted.items():
+    cycles = options.pop("cycles")
+    for name, value in options.items():
         if value not in (None, 0.0):
             raise Problem(f"{flag(name)}: got {value} beside {option}")
     if cycles is not None and not float(cycles).is_integer():
@@ -49,12 +49,12 @@ def run(
     return _diagram(given, to, vary, skipped, KEPT if count is None else count)
 
 
-def _one(given: Given[LoadedScene], to: Destination, state: str | None, **wanted: Any) -> int:
+def _one(given: Given[LoadedScene], to: Destination, state: str | None, **options: Any) -> int:
     """Simulate one motion, show it, write it; the exit status."""
     start = None if state is None else _parsed(state)
     case = case_from(given)
     with as_problems(), busy(f"simulating {case.scene.name}"):
-        motion = simulate(case, start, **wanted)
+        motion = simulate(case, start, **options)
     text = documents.text(motion.case, motion.as_dict(), ())
     to.show(text, tables.transient(case, motion))
     if motion.ended:

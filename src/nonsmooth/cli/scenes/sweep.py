@@ -28,17 +28,17 @@ from .case import case_from, vary_from
 
 
 def run(
-    given: Given[LoadedScene], to: Destination, vary: str | None, log: bool, **wanted: Any
+    given: Given[LoadedScene], to: Destination, vary: str | None, log: bool, **options: Any
 ) -> int:
     """Sweep along a parameter or over orders; the exit status."""
     if vary is not None:
         along = vary_from(given, vary, MOST_VALUES, ":20", log)
         given.check_varies(along.parameter)
         case = case_from(given, **{along.parameter: along.first})
-        return _along(case, to, along, **wanted)
+        return _along(case, to, along, **options)
     if log:
         raise Problem("--log: expected beside --vary")
-    return _over_orders(case_from(given), to, **wanted)
+    return _over_orders(case_from(given), to, **options)
 
 
 def _over_orders(

@@ -47,7 +47,7 @@ from its own times."""
 
 
 def solutions(
-    case: Case, exact: ExactOrbit | None, found: Mapping[str, Orbit | NoOrbit]
+    case: Case, exact: ExactOrbit | None, outcomes: Mapping[str, Orbit | NoOrbit]
 ) -> Iterator[Piece]:
     """Show the orbit by each method, below the exact one."""
     scene = case.scene
@@ -58,7 +58,7 @@ def solutions(
         "times", derivative(scene), "estimate", "it",
     )  # fmt: skip
     table.add_row("exact", "", *(["none found"] if exact is None else _times(exact)))
-    for method, orbit in found.items():
+    for method, orbit in outcomes.items():
         if not isinstance(orbit, Orbit):
             table.add_row(shown(scene, method), "", orbit.status)
             continue
@@ -67,12 +67,12 @@ def solutions(
             name_of(orbit), str(orbit.order), *_times(orbit), *cells, str(orbit.iterations)
         )
     yield table
-    orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
+    orbits = [orbit for orbit in outcomes.values() if isinstance(orbit, Orbit)]
     for motion, words in [(exact, "exact"), *((q, name_of(q)) for q in orbits)]:
         if motion is not None:
             yield filled(f"{words}: {in_words(motion)}", "  ")
             break
-    for orbit in found.values():
+    for orbit in outcomes.values():
         if isinstance(orbit, Orbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
             yield filled(words, "  ")
@@ -195,10 +195,10 @@ def family(result: Family) -> Iterator[Piece]:
     yield "; ".join(parts)
 
 
-def branches(case: Case, found: Sequence[Branch]) -> Iterator[Piece]:
+def branches(case: Case, followed: Sequence[Branch]) -> Iterator[Piece]:
     """Show the branches of a case, one below the other."""
     yield caption(case)
-    for branch in found:
+    for branch in followed:
         yield from _branch(branch)
 
 

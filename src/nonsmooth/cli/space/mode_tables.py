@@ -21,30 +21,30 @@ def _caption(attached: Attached, varied: str = "") -> str:
     return f"{head}\n{filled_parameters(attached.described(varied))}\n"
 
 
-def modes(found: Sequence[Modes]) -> Iterator[Piece]:
+def modes(expansions: Sequence[Modes]) -> Iterator[Piece]:
     """Show the modes by each expansion, a mode after the other, beside the exact ones."""
-    yield _caption(found[0].attached)
-    several = len(found) > 1
+    yield _caption(expansions[0].attached)
+    several = len(expansions) > 1
     table = table_of(
         "mode", *(["method", "f [Hz]"] if several else ["f [Hz]", "f_ex [Hz]"]),
         "omega [rad/s]", "f/f_ex-1", "proved", "jump law", "node",
     )  # fmt: skip
-    for place in range(max(map(len, found))):
-        expansions = [expansion for expansion in found if place < len(expansion)]
-        exact = f"{expansions[0][place].exact_frequency:.9g}"
-        for expansion in expansions:
+    for place in range(max(map(len, expansions))):
+        with_mode = [expansion for expansion in expansions if place < len(expansion)]
+        exact = f"{with_mode[0][place].exact_frequency:.9g}"
+        for expansion in with_mode:
             mode = expansion[place]
             f, *cells = _cells(mode)
             names = [expansion.shown, f] if several else [f, exact]
             table.add_row(str(mode.number), *names, *cells)
         if several:
-            omega = f"{2 * math.pi * expansions[0][place].exact_frequency:.9g}"
+            omega = f"{2 * math.pi * with_mode[0][place].exact_frequency:.9g}"
             table.add_row(str(place + 1), "exact", exact, omega, "", "", "", "")
-    for expansion in found:
+    for expansion in expansions:
         yield f"{expansion.shown}, N = {expansion.order}: {expansion.unknowns} unknowns"
     yield ""
     yield table
-    yield f"\n{_legend(found[0].structure)}"
+    yield f"\n{_legend(expansions[0].structure)}"
 
 
 def _cells(mode: Mode) -> list[str]:
@@ -129,14 +129,14 @@ def _expected(method: str, expected: int | None) -> str:
 
 def family(
     attached: Attached, vary: Vary[Fraction], how: str, values: Sequence[str],
-    found: Sequence[Modes],
+    expansions: Sequence[Modes],
 ) -> Iterator[Piece]:  # fmt: skip
     """Show the angular frequencies of the modes, a row a value of a parameter."""
     yield _caption(attached, vary.parameter)
     yield f"{vary.flag} varies; {how}; omega in rad/s\n"
-    count = max(map(len, found))
+    count = max(map(len, expansions))
     table = table_of(vary.flag, *(f"omega_{i + 1}" for i in range(count)), "off at most")
-    for value, expansion in zip(values, found, strict=True):
+    for value, expansion in zip(values, expansions, strict=True):
         error = max(abs(mode.error) for mode in expansion)
         table.add_row(value, *(f"{mode.omega:.8g}" for mode in expansion), f"{error:.1e}")
     yield table

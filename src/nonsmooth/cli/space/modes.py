@@ -30,21 +30,21 @@ MOST_VALUES, EXAMPLE = 10_000, "position=1/20:1/2:10"
 
 def run(
     given: Given[Structure], to: Destination, vary: str | None, log: bool, shapes: int | None,
-    **wanted: Any,
+    **options: Any,
 ) -> int:  # fmt: skip
     """Compute the modes, or those over a parameter; the exit status."""
     attached = attached_from(given)
     if vary is None and log:
         raise Problem("--log: expected --vary with it")
     if shapes is not None:
-        _check_shapes(shapes, vary, wanted["method"], to.json, to.file)
+        _check_shapes(shapes, vary, options["method"], to.json, to.file)
     if vary is not None:
-        if wanted["method"] == ALL:
+        if options["method"] == ALL:
             raise Problem("--vary: got --method all with it, expected one method")
         along = vary_of(vary, log, attached)
         given.check_varies(along.parameter)
-        return _along(attached, to, wanted, along)
-    return _once(attached, to, wanted, shapes)
+        return _along(attached, to, options, along)
+    return _once(attached, to, options, shapes)
 
 
 def attached_from(given: Given[Structure]) -> Attached:
@@ -80,10 +80,10 @@ def _check_shapes(
 
 
 def _once(
-    attached: Attached, to: Destination, wanted: dict[str, Any], points: int | None
+    attached: Attached, to: Destination, options: dict[str, Any], points: int | None
 ) -> int:
     """Compute the modes, show them, write them; the exit status."""
-    expansions = compute(attached, wanted)
+    expansions = compute(attached, options)
     kind, data = (
         ("modes", expansions) if points is None else ("shapes", [expansions[0].shapes(points)])
     )
@@ -99,14 +99,14 @@ def _once(
     return 0
 
 
-def compute(attached: Attached, wanted: dict[str, Any]) -> list[Modes]:
+def compute(attached: Attached, options: dict[str, Any]) -> list[Modes]:
     """Return the modes by the method that is wanted, or by each.
 
     A `Problem` is raised if there are none such; with status 1 if no order is within the
     tolerance.
     """
-    options = {name: value for name, value in wanted.items() if value is not None}
-    method, forced = options.pop("method", None), options.pop("forced", None)
+    arguments = {name: value for name, value in options.items() if value is not None}
+    method, forced = arguments.pop("method", None), arguments.pop("forced", None)
     expansions = []
     for name in METHODS if method == ALL else (method,):
         choice: dict[str, Any] = {} if name is None else {"method": name}
@@ -114,7 +114,7 @@ def compute(attached: Attached, wanted: dict[str, Any]) -> list[Modes]:
             choice["forced"] = forced
         try:
             with as_problems():
-                expansions.append(modes(attached, **options, **choice))
+                expansions.append(modes(attached, **arguments, **choice))
         except Problem as problem:
             if isinstance(problem.__cause__, ToleranceNotMet):
                 raise Problem(str(problem), 1) from problem
@@ -148,19 +148,19 @@ def _label(vary: Vary[Fraction], value: Fraction) -> str:
 
 
 def _along(
-    attached: Attached, to: Destination, wanted: dict[str, Any], vary: Vary[Fraction]
+    attached: Attached, to: Destination, options: dict[str, Any], vary: Vary[Fraction]
 ) -> int:
     """Compute the modes along a parameter, show them, write them; the exit status."""
     values, labels = zip(*((float(q), _label(vary, q)) for q in values_of(vary)), strict=True)
     structures, expansions = structures_of(vary, attached), list[Modes]()
     with progress(vary.count, "sweep") as advance:
         for label, structure in zip(labels, structures, strict=True):
-            expansions += compute(structure, wanted)
+            expansions += compute(structure, options)
             advance(f"{vary.flag} = {label}")
     document = documents.of_varied_modes(vary.flag, values, expansions)
     text = documents.text_of_modes(attached.structure, document)
     how = f"{expansions[0].shown}, N = {expansions[0].order}"
-    how = how if wanted["tol"] is None else "to a tolerance"
+    how = how if options["tol"] is None else "to a tolerance"
     to.show(text, mode_tables.family(attached, vary, how, labels, expansions))
     figure = drawn_by("modes.family_figure", vary.flag, values, expansions, vary.log)
     to.write(
