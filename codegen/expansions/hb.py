@@ -27,9 +27,9 @@ def impulse(switch: Switch) -> sp.Symbol:
     return sp.Symbol(f"J_{switch.before}", real=True)
 
 
-def jump(found: tuple[Switch, ...], p: int) -> sp.Expr:
+def jump(cell_switches: tuple[Switch, ...], p: int) -> sp.Expr:
     """Return the jump of the velocity where phase `p` begins."""
-    return impulse(found[p]) if found[p].k == 0 else sp.Integer(0)
+    return impulse(cell_switches[p]) if cell_switches[p].k == 0 else sp.Integer(0)
 
 
 def series(harmonics: Harmonics, time: sp.Expr, order: int) -> sp.Expr:
@@ -41,18 +41,20 @@ def series(harmonics: Harmonics, time: sp.Expr, order: int) -> sp.Expr:
     return sum_ + (a0 / 2 if order == 0 and not harmonics.odd else 0)
 
 
-def orthogonality(harmonics: Harmonics, found: tuple[Switch, ...]) -> Iterator[Condition]:
+def orthogonality(
+    harmonics: Harmonics, cell_switches: tuple[Switch, ...]
+) -> Iterator[Condition]:
     """Yield (5), (6), (7): the residual is orthogonal to the constant and to each harmonic."""
     wave = harmonics.times.harmonic(j) * angle
     if not harmonics.odd:
-        yield _row(harmonics, found, "by_one", sp.Integer(1), None)
-    yield _row(harmonics, found, "by_sine", sp.sin(wave), j)
-    yield _row(harmonics, found, "by_cosine", sp.cos(wave), j)
+        yield _row(harmonics, cell_switches, "by_one", sp.Integer(1), None)
+    yield _row(harmonics, cell_switches, "by_sine", sp.sin(wave), j)
+    yield _row(harmonics, cell_switches, "by_cosine", sp.cos(wave), j)
 
 
 def _row(
     harmonics: Harmonics,
-    found: tuple[Switch, ...],
+    cell_switches: tuple[Switch, ...],
     name: str,
     test: sp.Expr,
     index: sp.Symbol | None,
@@ -63,10 +65,10 @@ def _row(
     expression = sp.Sum(sp.expand(summed), (n, 1, N)) - harmonics.force_by(test)
     if not harmonics.odd:
         expression += a0 / 2 * harmonics.over_cell("k", test)
-    for p in range(len(found)):
+    for p in range(len(cell_switches)):
         mass = harmonics.weights["m"][p]
         at = test.subs(angle, harmonics.omega_0 * harmonics.times.start(p))
-        expression -= mass * jump(found, p) * at
+        expression -= mass * jump(cell_switches, p) * at
     words = {"by_one": "1", "by_sine": "sin(j omega_0 t)", "by_cosine": "cos(j omega_0 t)"}
     return Condition(
         name,
@@ -80,20 +82,22 @@ def _row(
 
 
 def impacts(
-    scene: Scene, harmonics: Harmonics, found: tuple[Switch, ...]
+    scene: Scene, harmonics: Harmonics, cell_switches: tuple[Switch, ...]
 ) -> Iterator[Condition]:
     """Yield the law of each impact, with the mean velocity that the series has there."""
-    for p, switch in enumerate(found):
+    for p, switch in enumerate(cell_switches):
         if switch.k:
             continue
         sign = scene.sign if p == 0 else 1
         law = scene.phases[p - 1].ends.jump[v]
         mean = series(harmonics, harmonics.times.start(p), 1)
-        before = sign * (mean - jump(found, p) / 2)
+        before = sign * (mean - jump(cell_switches, p) / 2)
         yield Condition(
             f"impact_{switch.before}",
             f"the velocity jumps as the event says where {switch.before} begins",
-            closure.one_sum(mean + jump(found, p) / 2 - sign * sp.sympify(law).subs(v, before)),
+            closure.one_sum(
+                mean + jump(cell_switches, p) / 2 - sign * sp.sympify(law).subs(v, before)
+            ),
         )
 
 
@@ -130,12 +134,12 @@ def series_blocks(scene: Scene) -> Iterator[Block]:
     yield Block(b, N, "of the cosines")
 
 
-def _blocks(scene: Scene, found: tuple[Switch, ...]) -> Iterator[Block]:
+def _blocks(scene: Scene, cell_switches: tuple[Switch, ...]) -> Iterator[Block]:
     yield from series_blocks(scene)
-    for p, switch in enumerate(found):
+    for p, switch in enumerate(cell_switches):
         if switch.k == 0:
             what = f"jump of the velocity where {switch.before} begins"
-            yield Block(jump(found, p), sp.Integer(1), what)
+            yield Block(jump(cell_switches, p), sp.Integer(1), what)
     yield from closure.memory_blocks(scene)
 
 

@@ -35,10 +35,14 @@ CHECKED = 4
 STATE = 2
 
 
-def series(scene: Scene, times: Times, found: tuple[Switch, ...]) -> tuple[PhaseSeries, ...]:
+def series(
+    scene: Scene, times: Times, cell_switches: tuple[Switch, ...]
+) -> tuple[PhaseSeries, ...]:
     """Return the trial function on each phase: ``N + k`` coefficients of the acceleration."""
     trial = []
-    for phase, duration, switch in zip(scene.phases, times.durations, found, strict=True):
+    for phase, duration, switch in zip(
+        scene.phases, times.durations, cell_switches, strict=True
+    ):
         held = phase.held is not None
         trial.append(
             PhaseSeries(

@@ -96,9 +96,11 @@ class Contacts:
         memory = [q.symbol * one for q in self.scene.memory]
         return [signals.get(i, sp.Integer(0)) for i in range(width)] + memory
 
-    def forced(self, seen: Sequence[sp.Expr], forces: Sequence[sp.Expr]) -> list[sp.Expr]:
+    def forced(
+        self, without_forces: Sequence[sp.Expr], forces: Sequence[sp.Expr]
+    ) -> list[sp.Expr]:
         """Return the signals with the forces, and with their direct effects, added."""
-        body, signals = body_of(self.scene), list(seen)
+        body, signals = body_of(self.scene), list(without_forces)
         for c, contact in enumerate(self.each):
             signals[place(body, contact.force)] += forces[c]
             for d, force in enumerate(forces):
@@ -144,16 +146,16 @@ class Contacts:
         moving = [2, *(place(body, q) for c in self.each for q in (c.x, c.v, c.a))]
         return all(row[i] == 0 for row in self.laws(p) for i in moving)
 
-    def by_law(self, p: int, seen: Sequence[sp.Expr]) -> list[sp.Expr]:
+    def by_law(self, p: int, without_forces: Sequence[sp.Expr]) -> list[sp.Expr]:
         """Return the forces by the laws of a phase, from the signals without forces."""
         laws, count = self.laws(p), len(self.each)
-        nothing = [sp.Integer(0)] * len(seen)
+        nothing = [sp.Integer(0)] * len(without_forces)
         columns = [
             self.forced(nothing, [sp.Integer(c == d) for d in range(count)])
             for c in range(count)
         ]
         direct = sp.Matrix(count, count, lambda c, d: dot(laws[c], columns[d]))
-        unforced = sp.Matrix([dot(law, seen) for law in laws])
+        unforced = sp.Matrix([dot(law, without_forces) for law in laws])
         return [sp.factor_terms(-q) for q in direct.LUsolve(unforced)]
 
     def form(self, expression: sp.Expr, memory: bool = True) -> tuple[sp.Expr, ...]:

@@ -116,8 +116,8 @@ MUTANTS = (
     Mutant(
         "an impulse with the other sign",
         "codegen/expansions/hb.py",
-        "expression -= mass * jump(found, p) * at",
-        "expression += mass * jump(found, p) * at",
+        "expression -= mass * jump(cell_switches, p) * at",
+        "expression += mass * jump(cell_switches, p) * at",
         (f"{CLOSED}[impact-hb]",),
     ),
     Mutant(
