@@ -24,13 +24,13 @@ class Notation:
     ----------
     scene : Scene
     times : Times
-    found : tuple of Switch
+    switches : tuple of Switch
         Its switches, that at the begin of the first phase first.
     """
 
     scene: Scene
     times: Times
-    found: tuple[Switch, ...]
+    switches: tuple[Switch, ...]
 
     @classmethod
     def of(cls, scene: Scene) -> "Notation":
@@ -50,13 +50,13 @@ class Notation:
     @property
     def cell(self) -> sp.Expr:
         """The end of the cell: the period, or half of it."""
-        return self.at(len(self.found))
+        return self.at(len(self.switches))
 
     def at(self, p: int) -> sp.Expr:
         """Return the time at which phase `p` begins; for ``p = P`` the end of the cell."""
         if p == 0:
             return sp.Integer(0)
-        if p == len(self.found) and self.times.sign == 1:
+        if p == len(self.switches) and self.times.sign == 1:
             return T
         return sp.Symbol(f"t{p}", positive=True)
 
@@ -66,12 +66,12 @@ class Notation:
 
     def start(self, p: int, order: int) -> sp.Expr:
         """Return a derivative of the displacement where phase `p` begins."""
-        continuous = order <= self.found[p].k
+        continuous = order <= self.switches[p].k
         return state(order, self.at(p) if continuous else self.side(p, "+"))
 
     def end(self, p: int, order: int) -> sp.Expr:
         """Return a derivative of the displacement where phase `p` ends."""
-        continuous = order <= self.found[(p + 1) % len(self.found)].k
+        continuous = order <= self.switches[(p + 1) % len(self.switches)].k
         return state(order, self.at(p + 1) if continuous else self.side(p + 1, "-"))
 
     def displacement(self, c: int, order: int, time: sp.Expr) -> sp.Expr:

@@ -104,7 +104,7 @@ def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
     """Yield the jump of the velocity at the end of a phase, if there is one."""
     scene, phase = notation.scene, notation.scene.phases[p]
     if phase.ends.jump:
-        q = (p + 1) % len(notation.found)
+        q = (p + 1) % len(notation.switches)
         value = (scene.sign if q == 0 else 1) * law(scene, q, notation.end)
         words = f"the velocity jumps where {phase.name} ends"
         yield Equation("", words, (state(1, notation.side(p + 1, "+")), value))
@@ -112,7 +112,7 @@ def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
 
 def _classes(notation: Notation) -> Iterator[Equation]:
     """Yield the class at each switch, and its map of small perturbations."""
-    for p, switch in enumerate(notation.found):
+    for p, switch in enumerate(notation.switches):
         order = ORDINAL.get(switch.jumps, f"{switch.jumps}th")
         words = f"the motion is `C^{switch.k}` where {switch.before} begins: its {order} "
         yield Equation("", f"{words}derivative jumps", jump(notation, p))

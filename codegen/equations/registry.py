@@ -78,12 +78,12 @@ def sections(
     ]
 
 
-def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
+def _of_motion(scene: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
     """Return the sections on one motion of a scene."""
-    heading = f"{found.label} (`C^{class_of(found)}`): {found.title}"
-    shown = [Section(heading, scene_equations(found), _parameters(found))]
-    for name in names or tuple(methods(found)):
-        record = conditions(found, name, functions)
+    heading = f"{scene.label} (`C^{class_of(scene)}`): {scene.title}"
+    shown = [Section(heading, scene_equations(scene), _parameters(scene))]
+    for name in names or tuple(methods(scene)):
+        record = conditions(scene, name, functions)
         system = method_equations(record)
         section = f"Section {system.section}: " if system.section else ""
         title = f"{section}{system.title} ({system.method})"

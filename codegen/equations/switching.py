@@ -24,7 +24,7 @@ def event(notation: Notation, p: int) -> sp.Expr:
 
 def event_after(notation: Notation, p: int) -> sp.Expr:
     """Return the event function in the state after the switch, but for jumping velocities."""
-    following = (p + 1) % len(notation.found)
+    following = (p + 1) % len(notation.switches)
     sign = notation.scene.sign if following == 0 else 1
     time = notation.side(following, "+") if following else notation.at(0)
     ends = notation.scene.cell[p].ends
@@ -57,7 +57,7 @@ def jump(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
     As a difference of both sides, and as an expression in the state there, reduced by the event
     and by a prescribed velocity.
     """
-    scene, order = notation.scene, notation.found[p].jumps
+    scene, order = notation.scene, notation.switches[p].jumps
     sides = [state(order, notation.side(p, sign)) for sign in "+-"]
     if order == 1:
         before = sides[1]

@@ -53,13 +53,13 @@ def by_unknown(
 
 
 def _product(
-    term: Term, index: sp.Expr, factor: sp.Expr, known: frozenset[sp.Symbol]
+    term: Term, index: sp.Expr, factor: sp.Expr, parameters: frozenset[sp.Symbol]
 ) -> sp.Expr:
     if term.block is None:
-        return neat(factor, known)
+        return neat(factor, parameters)
     symbol = term.block.symbol
     unknown = symbol[index] if isinstance(symbol, sp.IndexedBase) else symbol
-    return neat(factor, known, unknown)
+    return neat(factor, parameters, unknown)
 
 
 def neat(

@@ -60,7 +60,7 @@ class Breaks:
 
     def _word(self, p: int) -> str:
         """Return the name of the phase that begins at switch `p`."""
-        return self.notation.found[p].before
+        return self.notation.switches[p].before
 
     def unknown(self, p: int, n: int) -> sp.Expr:
         """Return the symbol of the coefficient of a function."""
@@ -81,7 +81,7 @@ class Breaks:
     def definitions(self) -> Iterator[Equation]:
         """Yield the functions: on each phase, and as polynomials."""
         for p in dict.fromkeys(p for p, _ in self.orders):
-            for q in range(len(self.notation.found)):
+            for q in range(len(self.notation.switches)):
                 sign, part = self.argument(p, q, t)
                 name = self._word(p)
                 sides = (member(f"beta_{name}", _n, t), sign * member("beta", _n, part))

@@ -96,7 +96,7 @@ def statements(notation: Notation) -> dict[str, sp.Expr]:
     if notation.scene.body is not None:
         return expressions
     about = notation.scene, notation.times
-    for p, switch in enumerate(notation.found):
+    for p, switch in enumerate(notation.switches):
         name = switch.before
         velocity = notation.start(p, 1) - law(notation.scene, p, notation.end)
         expressions[f"impact_{name}"] = velocity
@@ -120,6 +120,6 @@ def statements(notation: Notation) -> dict[str, sp.Expr]:
 def _jump(notation: Notation, p: int, order: int) -> sp.Expr:
     """Return the jump of a derivative at the begin of phase `p`."""
     if p == 0:
-        end = notation.end(len(notation.found) - 1, order)
+        end = notation.end(len(notation.switches) - 1, order)
         return notation.start(p, order) - notation.scene.sign * end
     return state(order, notation.side(p, "+")) - state(order, notation.side(p, "-"))

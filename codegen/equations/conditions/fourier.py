@@ -81,7 +81,7 @@ class Fourier(Family):
         notation = self.notation
         half_turns = 2 if notation.times.sign == 1 else 1
         name, value = row.sides[0], row.sides[-1]
-        for p in range(1, len(notation.found) + 1):
+        for p in range(1, len(notation.switches) + 1):
             time = notation.at(p)
             moving = value.subs(omega_0, half_turns * sp.pi / notation.cell)
             rate = sp.expand(notation.in_times(sp.diff(moving, time)))
@@ -118,7 +118,7 @@ class Fourier(Family):
 
     def _inner_product(self) -> tuple[sp.Expr, sp.Expr]:
         first, second = sp.Function("a")(t), sp.Function("b")(t)
-        ends = [self.notation.at(p) for p in range(len(self.notation.found) + 1)]
+        ends = [self.notation.at(p) for p in range(len(self.notation.switches) + 1)]
         parts = (sp.Integral(first * second, (t, *limits)) for limits in pairwise(ends))
         return Inner(first, second), sp.Add(*parts, evaluate=False)
 
@@ -158,7 +158,7 @@ class Fourier(Family):
     def _jumps(self) -> dict[int, sp.Symbol]:
         """Return the unknown jump of the velocity at each switch that has one."""
         unknown = {str(block.symbol): block.symbol for block in self.conditions.blocks}
-        named = {p: f"J_{switch.before}" for p, switch in enumerate(self.notation.found)}
+        named = {p: f"J_{switch.before}" for p, switch in enumerate(self.notation.switches)}
         return {p: unknown[name] for p, name in named.items() if name in unknown}
 
     def _impulses(self) -> Iterator[Equation]:

@@ -43,10 +43,10 @@ class OneFunction:
     def definitions(self) -> Iterator[Equation]:
         """Yield (12), over ``T (T - t_1)**3``, in both phases."""
         t1 = self.notation.at(1)
-        name = self.notation.found[1].before
+        name = self.notation.switches[1].before
         yield Equation("", f"local time of {name}", (u, (t - t1) / (T - t1)))
         for p, value in enumerate(self._values()):
-            title = f"function in {self.notation.found[p].before}"
+            title = f"function in {self.notation.switches[p].before}"
             yield Equation("12", title, (G, value), self.notation.during(p))
 
     def _values(self) -> tuple[sp.Expr, sp.Expr]:

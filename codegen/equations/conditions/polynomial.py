@@ -56,7 +56,7 @@ class Polynomial(Family):
 
     def __init__(self, conditions: GalerkinConditions) -> None:
         super().__init__(conditions)
-        self.trial = series(conditions.scene, self.notation.times, self.notation.found)
+        self.trial = series(conditions.scene, self.notation.times, self.notation.switches)
         self.moments = tuple(moments(conditions.scene, self.notation.times))
         name = conditions.method.replace("-", "_")
         expansion = import_module(f"...expansions.{name}", __package__)
@@ -90,7 +90,7 @@ class Polynomial(Family):
 
     def _number(self, name: str, p: int) -> str:
         """Return the equation number of the paper, if phase `p` is of class C^1 as there."""
-        return NUMBERS[name] if self.notation.found[p].k == 1 else ""
+        return NUMBERS[name] if self.notation.switches[p].k == 1 else ""
 
     def _expansion(self) -> Iterator[Equation]:
         for p, q in enumerate(self.trial):
@@ -147,7 +147,7 @@ class Polynomial(Family):
         yield Equation("", "inner product on a phase", (Inner(first, second), integral))
 
     def _tests(self) -> Iterator[Equation]:
-        for p, switch in enumerate(self.notation.found):
+        for p, switch in enumerate(self.notation.switches):
             weights = self.test(n, switch.k)
             if self.trial[p].acceleration is not None and len(weights) > 1:
                 name = self.scene.phases[p].name
@@ -160,7 +160,7 @@ class Polynomial(Family):
 
     def _left(self, p: int, rest: Rest) -> Iterator[Equation]:
         """Yield orthogonality to all tests of a phase, and the residual that it allows."""
-        phase, switch = self.scene.phases[p], self.notation.found[p]
+        phase, switch = self.scene.phases[p], self.notation.switches[p]
         name, rows = phase.name, polynomials.rows_of(self.trial[p], switch)
         tested = (Inner(R, member(f"W_{name}", l, u)), sp.Integer(0))
         where = f"`l = 0, ..., {rows - 1}`"
@@ -189,7 +189,7 @@ class Polynomial(Family):
         The latter apply only if the cell is a whole period and begins with class C^1.
         """
         numbers = dict(self.notation.numbers)
-        first_switch = self.notation.found[0]
+        first_switch = self.notation.switches[0]
         if first_switch.k == 1 and self.notation.times.sign == 1:
             numbers |= {f"{name}_{first_switch.before}": n for name, n in REPEATS.items()}
         return numbers
@@ -205,10 +205,10 @@ class Polynomial(Family):
         p = [phase.name for phase in self.scene.phases].index(name)
         degree = sp.Integer(index) if condition.index is None else condition.index
         if kind == "rest":
-            degree += polynomials.rows_of(self.trial[p], self.notation.found[p])
+            degree += polynomials.rows_of(self.trial[p], self.notation.switches[p])
         if self.rest is not None:
             return ((2 * degree + 1) * Inner(R - S, ShiftedLegendre(degree, u)),)
-        return (Inner(R, _combined(self.test(degree, self.notation.found[p].k))),)
+        return (Inner(R, _combined(self.test(degree, self.notation.switches[p].k))),)
 
 
 def _factors(name: str) -> sp.IndexedBase:
@@ -216,15 +216,15 @@ def _factors(name: str) -> sp.IndexedBase:
     return sp.IndexedBase(f"tau_{name}", real=True)
 
 
-def _moment(found: Moments, turned: bool = False) -> Equation:
+def _moment(phase_moments: Moments, turned: bool = False) -> Equation:
     """Return the definition of the moments of the forcing, or of those with theta + pi/2."""
-    kappa, theta = found.kappa, found.theta + (sp.pi / 2 if turned else 0)
+    kappa, theta = phase_moments.kappa, phase_moments.theta + (sp.pi / 2 if turned else 0)
     wave = sp.cos(kappa * u + theta)
     sign = -1 if wave.could_extract_minus_sign() else 1
     integral = sign * sp.Integral(ShiftedLegendre(l, u) * sign * wave, (u, 0, 1))
     closed = sp.cos(theta + kappa / 2 + l * sp.pi / 2) * sp.jn(l, kappa / 2)
     title = "moment of the forcing; `j_l` is the spherical Bessel function"
-    symbol = found.turned if turned else found.symbol
+    symbol = phase_moments.turned if turned else phase_moments.symbol
     return Equation("", title, (symbol[l], integral, closed))
 
 
