@@ -113,15 +113,15 @@ def _equation(equation: "Equation", anchor: str) -> str:
     )
 
 
-def _section(section: "Section", seen: Counter[str]) -> str:
+def _section(section: "Section", counts: Counter[str]) -> str:
     """Return a section; a number that was seen before gets an anchor of its own."""
     parts = [f"<h2>{_prose(section.heading)}</h2>\n"]
     if section.note:
         parts.append(f"<p>{_prose(section.note)}</p>\n")
     for equation in section.equations:
         anchor = f"eq-{equation.number}" if equation.number else ""
-        seen[anchor] += 1
-        again = f"-{seen[anchor]}" if anchor and seen[anchor] > 1 else ""
+        counts[anchor] += 1
+        again = f"-{counts[anchor]}" if anchor and counts[anchor] > 1 else ""
         parts.append(_equation(equation, anchor + again))
     return "".join(parts)
 

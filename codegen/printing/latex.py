@@ -145,7 +145,7 @@ def _prose(title: str) -> str:
     """Return a title as text, with the mathematics in it set as such."""
     parts = []
     for words, mathematics in words_and_mathematics(title):
-        parts.append(_SPECIAL.sub(lambda found: _ESCAPED[found[0]], words))
+        parts.append(_SPECIAL.sub(lambda match: _ESCAPED[match[0]], words))
         if mathematics:
             parts.append(f"${mathematics}$")
     return "".join(parts)

@@ -27,11 +27,13 @@ def terms(total: sp.Expr) -> list[sp.Expr]:
     return led_by_a_plus(ordered)
 
 
-def led_by_a_plus(found: list[sp.Expr]) -> list[sp.Expr]:
+def led_by_a_plus(summands: list[sp.Expr]) -> list[sp.Expr]:
     """Return terms with the first that has no minus in front of the others."""
-    plain = [index for index, term in enumerate(found) if not term.could_extract_minus_sign()]
+    plain = [
+        index for index, term in enumerate(summands) if not term.could_extract_minus_sign()
+    ]
     first = plain[0] if plain else 0
-    return [*found[first : first + 1], *found[:first], *found[first + 1 :]]
+    return [*summands[first : first + 1], *summands[:first], *summands[first + 1 :]]
 
 
 def _derivative(term: sp.Expr) -> int:
@@ -74,14 +76,14 @@ def in_given_order(product: sp.Mul) -> bool:
     return first == 1 or any(factor.is_Number for factor in others)
 
 
-def _one_root(found: list[sp.Expr]) -> list[sp.Expr]:
-    above = [q for q in found if q.is_Pow and q.exp == sp.S.Half]
-    below = [q for q in found if q.is_Pow and q.exp == -sp.S.Half]
+def _one_root(all_factors: list[sp.Expr]) -> list[sp.Expr]:
+    above = [q for q in all_factors if q.is_Pow and q.exp == sp.S.Half]
+    below = [q for q in all_factors if q.is_Pow and q.exp == -sp.S.Half]
     if not above or not below:
-        return found
+        return all_factors
     radicand = sp.Mul(*(q.base for q in above), *(1 / q.base for q in below))
     root = sp.Pow(radicand, sp.S.Half, evaluate=False)
-    return [root, *(q for q in found if q not in (*above, *below))]
+    return [root, *(q for q in all_factors if q not in (*above, *below))]
 
 
 def _rank(factor: sp.Expr) -> int:

@@ -52,11 +52,11 @@ def check_body(scene: SceneData, units: Units) -> None:
     _check_positive(arrays["M"])
 
 
-def at_defaults(matrix: Entries, known: Mapping[sp.Symbol, float]) -> Entries:
+def at_defaults(matrix: Entries, defaults: Mapping[sp.Symbol, float]) -> Entries:
     """Return a matrix for the default parameters."""
     if matrix.is_numeric:
         return matrix
-    values = np.array([float(q.subs(known)) for q in matrix.values])
+    values = np.array([float(q.subs(defaults)) for q in matrix.values])
     return Entries(matrix.shape, matrix.rows, matrix.columns, values)
 
 

@@ -122,7 +122,7 @@ def _width(scene: SceneData) -> int:
 
 
 def _row(
-    scene: SceneData, given: Sequence[sp.Expr], order: int, sign: int, side: str
+    scene: SceneData, factors: Sequence[sp.Expr], order: int, sign: int, side: str
 ) -> list[sp.Expr]:
     """Return derivative `order` of a form by time; forces are unknowns, on either side."""
     row = [sp.Integer(0)] * _width(scene)
@@ -130,15 +130,15 @@ def _row(
     for i, contact in enumerate(body.at.values()):
         base = 3 * (HIGHEST + 3) * i
         for shift, symbol in ((0, contact.x), (1, contact.v), (2, contact.a)):
-            row[base + order + shift] += given[place(body, symbol)]
+            row[base + order + shift] += factors[place(body, symbol)]
         free = base + (HIGHEST + 3) * (1 if side == "before" else 2)
-        row[free + order] += given[place(body, contact.force)]
+        row[free + order] += factors[place(body, contact.force)]
     tail = len(body.at) * 3 * (HIGHEST + 3)
     turned = order % 4
-    row[tail + turned % 2] = given[2] * omega**order * (1, -1, -1, 1)[turned]
+    row[tail + turned % 2] = factors[2] * omega**order * (1, -1, -1, 1)[turned]
     if order == 0:
-        row[tail + 2] = sign * given[3]
-        for i, factor in enumerate(given[len(signals(body)) :]):
+        row[tail + 2] = sign * factors[3]
+        for i, factor in enumerate(factors[len(signals(body)) :]):
             row[tail + 3 + i] = sign * factor
     return row
 
