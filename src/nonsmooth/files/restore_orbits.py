@@ -120,8 +120,10 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
     equations.residual(equations.given(case, order), z, R)
     off, allowed = float(np.abs(R).max()), RESIDUAL * max(1.0, float(np.abs(z).max()))
     checks.check(off <= allowed, f"an orbit that does not satisfy its equations, by {off:.1e}")
-    made = Outcome(**outcome | {"unknowns": z})
-    orbit = case.presented(Orbit(case, method, order, made, document["iterations"], functions))
+    restored = Outcome(**outcome | {"unknowns": z})
+    orbit = case.presented(
+        Orbit(case, method, order, restored, document["iterations"], functions)
+    )
     durations = [phase["duration"] for phase in document["phases"]]
     checks.times(document, durations)
     checks.same("period", document["period"], orbit.period, "its unknowns")

@@ -113,8 +113,10 @@ def draw_diagram(
     check_quantity(quantity, SEEN)
     axes, column = axes_or_new(ax), list(SEEN).index(quantity)
     along = np.repeat(result.values, [len(each) for each in result.states])
-    seen = np.concatenate([each[:, column] for each in result.states] or [np.empty(0)])
-    axes.plot(along, seen, **{"color": "0.1", "marker": ".", "markersize": 1.5} | style, ls="")
+    values = np.concatenate([each[:, column] for each in result.states] or [np.empty(0)])
+    axes.plot(
+        along, values, **{"color": "0.1", "marker": ".", "markersize": 1.5} | style, ls=""
+    )
     ended = [q for q, each in zip(result.values, result.states, strict=True) if not len(each)]
     mark_values(axes, ended, "the motion ends", "0.6")
     axes.set(xlabel=name_of(result.case.scene, result.parameter), ylabel=SEEN[quantity])

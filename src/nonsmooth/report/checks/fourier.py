@@ -83,11 +83,11 @@ def rises(case: Case, method: str, somewhere: bool) -> Finding:
     holds = bool(orders) == somewhere and bool(case.orders(method))
     if not orders:
         return Finding(holds, "it never rises")
-    first, *more = orders
+    first, *rest = orders
     pair = [case.measured("acceleration", method, N) for N in (first - 1, first)]
     digits = next(d for d in range(5, 18) if number(pair[0], d) != number(pair[1], d))
     before, after = (number(error, digits) for error in pair)
-    again = f", and {'once' if len(more) == 1 else f'{len(more)} times'} more" if more else ""
+    again = f", and {'once' if len(rest) == 1 else f'{len(rest)} times'} more" if rest else ""
     return Finding(holds, f"it rises at N = {first}, from {before} to {after}{again}")
 
 
