@@ -164,7 +164,7 @@ def branch(
         why = str(error) or "its equations are singular, to rounding"
         raise NoOrbit(f"{words} {parameter} = {value:g}: {why}", False, ()) from None
     try:
-        go(followed, place, seen=progress)
+        go(followed, place, progress=progress)
     except KeyboardInterrupt:
         if not followed.points():
             raise
@@ -221,7 +221,7 @@ def _interrupted(done: list[Branch]) -> Interrupted:
 
 def every_way(
     case: Case, parameter: str, bounds: Bounds, values: int, beside: Container[str],
-    seen: Seen = lambda value: None,
+    progress: Seen = lambda value: None,
 ) -> Iterator[BothWays]:  # fmt: skip
     """Yield the branches of all orbits that are found at so many values, each when followed.
 
@@ -236,17 +236,17 @@ def every_way(
                 continue
             followed = BothWays(index_of(case, parameter))
             with suppress(ArithmeticError):  # it is not isolated
-                go(followed, start_of(orbit, followed.index, bounds), seen=seen)
+                go(followed, start_of(orbit, followed.index, bounds), progress=progress)
                 earlier.append(followed)
                 yield followed
     for followed in earlier:
-        yield from _doubled(followed, beside, seen)
+        yield from _doubled(followed, beside, progress)
 
 
-def _doubled(found: BothWays, kinds: Container[str], seen: Seen) -> Iterator[BothWays]:
+def _doubled(parent: BothWays, kinds: Container[str], progress: Seen) -> Iterator[BothWays]:
     """Yield the branches at the flips of another, and where symmetry is lost on it."""
     met: list[float] = []
-    for event in found.events():
+    for event in parent.events():
         begins = event.kind in kinds and event.monitor >= 0
         if not begins or any(abs(end - event.value) <= NEAR * abs(end) for end in met):
             continue
@@ -254,8 +254,8 @@ def _doubled(found: BothWays, kinds: Container[str], seen: Seen) -> Iterator[Bot
         with suppress(ArithmeticError, ParameterError, UnknownScene):
             start = doubled(event)
         if start is not None:
-            followed = BothWays(found.index, start[0].course)
-            go(followed, start, seen=seen)
+            followed = BothWays(parent.index, start[0].course)
+            go(followed, start, progress=progress)
             met += [each.value for each in followed.events()]
             yield followed
 
@@ -306,14 +306,14 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
     raise NoOrbit(words, False, tuple(tried))
 
 
-def _result(case: Case, parameter: str, found: BothWays, how: Expansion) -> Branch:
+def _result(case: Case, parameter: str, followed: BothWays, how: Expansion) -> Branch:
     """Return what is found of a branch as users hold it."""
-    found_events = found.events()
+    found_events = followed.events()
     events = tuple(map(event_of, found_events))
     ends = {id(event.place) for event in found_events if event.changes}  # of an order of phases
     rows = tuple(
         replace(row_of(piece, place, id(place) not in ends), beside=how.beside(piece, place))
-        for piece, place in found.points()
+        for piece, place in followed.points()
     )
     expansion = how.method, how.order, how.functions
-    return Branch(case, parameter, *expansion, rows, events, found.why())
+    return Branch(case, parameter, *expansion, rows, events, followed.why())

@@ -121,25 +121,25 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
 
 
 def go(
-    found: BothWays, start: tuple[Piece, Place], part: float = PART,
-    seen: Callable[[float], None] = lambda value: None,
+    branch: BothWays, start: tuple[Piece, Place], part: float = PART,
+    progress: Callable[[float], None] = lambda value: None,
 ) -> None:  # fmt: skip
-    """Follow a branch from an orbit, backward, then forward; add the segments to `found`."""
+    """Follow a branch from an orbit, backward, then forward; add the segments to `branch`."""
     piece, place = aside(*start)
     back = piece.place(place.y, -place.tangent)
-    for segments, first in ((found.back, back), (found.forth, place)):
-        there: tuple[Piece, Place] | None = (piece, first)
+    for segments, first in ((branch.back, back), (branch.forth, place)):
+        orbit: tuple[Piece, Place] | None = (piece, first)
         end: Found | None = None
-        while there is not None and len(segments) < MOST_SEGMENTS:
-            segment = begun(end, there, part)
+        while orbit is not None and len(segments) < MOST_SEGMENTS:
+            segment = begun(end, orbit, part)
             segments.append(segment)
-            follow(segment, (piece, first), part, seen)
+            follow(segment, (piece, first), part, progress)
             cut_where_violated(segment)
             end = segment.end
-            there = None if end is None else beyond(end)
-            if there is not None and len(there[0].course.order.steps) > there[0].course.most:
-                segment.why = f"beyond, an orbit has more than {there[0].course.most} phases"
-                there = None
+            orbit = None if end is None else beyond(end)
+            if orbit is not None and len(orbit[0].course.order.steps) > orbit[0].course.most:
+                segment.why = f"beyond, an orbit has more than {orbit[0].course.most} phases"
+                orbit = None
         if segments[-1].why == CLOSED:
             return
 
@@ -165,14 +165,14 @@ def aside(piece: Piece, place: Place) -> tuple[Piece, Place]:
     return piece, place
 
 
-def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segment:
+def begun(since: Found | None, orbit: tuple[Piece, Place], part: float) -> Segment:
     """Return a segment from an event on: the orbits from it to the first one found beyond.
 
     These are found by following the branch back to the event, where the multipliers may change
     without bounds.
     """
-    piece, place = there
-    segment = Segment([there])
+    piece, place = orbit
+    segment = Segment([orbit])
     if since is None:
         return segment
     turned = piece, piece.place(place.y, -place.tangent)
@@ -180,7 +180,7 @@ def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segme
     follow(back, turned, part, most=FEW)
     tolerance = SAME * (piece.bounds[1] - piece.bounds[0])
     if back.end is not None and abs(back.end.value - since.value) <= tolerance:
-        segment.points = [*reversed(back.points[1:-1]), there]
+        segment.points = [*reversed(back.points[1:-1]), orbit]
         segment.events = [*reversed(back.events[:-1])]
     return segment
 
@@ -215,12 +215,12 @@ def _violations(piece: Piece, place: Place) -> tuple[str, ...]:
     return () if orbit is None or not orbit.outcome.converged else orbit.violations
 
 
-def orbits_at(found: BothWays, value: float) -> Iterator[ExactOrbit]:
+def orbits_at(branch: BothWays, value: float) -> Iterator[ExactOrbit]:
     """Yield the orbits of a branch at a value of its parameter, in order.
 
     Motions of one phase that never ends are left out.
     """
-    points = found.points()
+    points = branch.points()
     steps = list(pairwise(points)) or [(point, point) for point in points]
     for i, ((before, at), (piece, place)) in enumerate(steps):
         start, end, y = before.value(at.y), piece.value(place.y), place.y.copy()

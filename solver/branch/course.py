@@ -185,13 +185,13 @@ class Course(Itinerary):
         """Return the number of the block of each entry, here its own; see `along.resolved`."""
         return np.arange(len(self.entries(cell, forms)))
 
-    def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
+    def framed(self, cell: Cell, z: Vector, series: Any, other_cells: Iterable[Cell]) -> Along:
         """Return the equations of a cell from their series.
 
-        `z` are unknowns of typical size, `others` the cells at `Interval.some`.
+        `z` are unknowns of typical size, `other_cells` the cells at `Interval.some`.
         """
         cell_arrays, before = arrays(cell), 2 * len(cell.phases) + len(cell.memory)
-        divided, cells = divided_phases(cell, z[before:]), (cell, *others)
+        divided, cells = divided_phases(cell, z[before:]), (cell, *other_cells)
         for p in range(len(cell.phases)):
             begins = begins_still if divided[p] else begins_slowly
             if all(begins(each, p) for each in cells):
@@ -254,9 +254,9 @@ class Course(Itinerary):
         """Return the exact orbit that Newton's method finds from unknowns of a case."""
         return of_unknowns(self.case(case), z)
 
-    def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
+    def maps(self, case: Any, z: Vector, stored: Matrix) -> tuple[Matrix, Matrix]:
         """Return the derivative of the map over a cell and its size, kept with the orbit."""
-        return kept[0], kept[1]
+        return stored[0], stored[1]
 
     def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return displacement and velocity at time t of phase p.

@@ -31,13 +31,13 @@ EDGE = "edge"
 AT_EDGE = 1e-12
 
 
-def in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
+def in_turn(entries: Iterable[tuple[float, Found | None]]) -> list[Found]:
     """Return the events of a step in order, each once, up to the first change of the order.
 
     Where several monitors vanish at one place, one event stands for all: a change of the order
     of phases before others, and among these that of `TURNS`.
     """
-    ordered = sorted(found, key=lambda each: each[0])
+    ordered = sorted(entries, key=lambda each: each[0])
     events = [(at, event) for at, event in ordered if event is not None]
     first = next((at for at, event in events if event.changes), None)
     if any(event is None and (first is None or at <= first) for at, event in ordered):

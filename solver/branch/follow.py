@@ -50,59 +50,59 @@ class Segment:
 
 
 def follow(
-    found: Segment, first: tuple[Piece, Place],
-    part: float = PART, seen: Callable[[float], None] = lambda value: None,
+    segment: Segment, first: tuple[Piece, Place],
+    part: float = PART, progress: Callable[[float], None] = lambda value: None,
     most: int = MOST_POINTS,
 ) -> None:  # fmt: skip
     """Follow a branch from the last orbit of a segment on, along its tangent.
 
     Parameters
     ----------
-    found : Segment
+    segment : Segment
         It gets the orbits and events.
     first : (Piece, Place)
         The first orbit of the branch: back there it is closed.
     part : float
         Largest step, as a part of the range of the parameter.
-    seen : callable
+    progress : callable
         Called with the parameter of each orbit.
     most : int
         Most orbits.
     """
-    (piece, place), length = found.points[-1], FIRST
+    (piece, place), length = segment.points[-1], FIRST
     longest = part * (piece.bounds[1] - piece.bounds[0])
     half = shorter(piece)
     if piece.ends_at(place.y) and place.y[-1] * place.tangent[-1] > 0:
-        found.why = RANGE
-    while len(found.points) < most and not found.why:
+        segment.why = RANGE
+    while len(segment.points) < most and not segment.why:
         places, lengths, why, length = piece.walk(place, length, longest, ROOM)
         closed = _closed(first, piece, places, lengths)
-        if closed is not None and found.points[-1] != first:
-            found.points += [(piece, each) for each in places[: closed + 1]]
-            found.why = CLOSED
+        if closed is not None and segment.points[-1] != first:
+            segment.points += [(piece, each) for each in places[: closed + 1]]
+            segment.why = CLOSED
             return
-        if half is not None and _meets(found, half, piece, [place, *places], lengths, why):
+        if half is not None and _meets(segment, half, piece, [place, *places], lengths, why):
             return
         smooth = places[:-1] if why == EVENT else places
-        found.points += [(piece, each) for each in smooth]
-        place = found.points[-1][1]
-        seen(piece.value(place.y))
+        segment.points += [(piece, each) for each in smooth]
+        place = segment.points[-1][1]
+        progress(piece.value(place.y))
         if why == STUCK:
-            found.why = _why_stuck(piece, place)
+            segment.why = _why_stuck(piece, place)
         elif why == EVENT:
             try:
-                piece, place = _pass(found, piece, place, places[-1], float(lengths[-1]))
+                piece, place = _pass(segment, piece, place, places[-1], float(lengths[-1]))
             except ArithmeticError:
                 length = float(lengths[-1]) / 2
-                found.why = "" if length > LEAST_STEP else _why_stuck(piece, place)
+                segment.why = "" if length > LEAST_STEP else _why_stuck(piece, place)
         elif why == GROWN:
             try:
                 piece, place = piece.moved(place)
             except ArithmeticError:
-                found.why = _why_stuck(piece, place)
+                segment.why = _why_stuck(piece, place)
             if np.abs(place.y).max() > MOST:
-                found.why = "the orbit grows beyond all bounds"
-    found.why = found.why or f"{most} orbits are the most that a branch has"
+                segment.why = "the orbit grows beyond all bounds"
+    segment.why = segment.why or f"{most} orbits are the most that a branch has"
 
 
 def _why_stuck(piece: Piece, place: Place) -> str:
@@ -120,7 +120,7 @@ def _why_stuck(piece: Piece, place: Place) -> str:
 
 
 def _meets(
-    found: Segment, half: Course, piece: Piece, places: list[Place], lengths: Vector, why: int
+    segment: Segment, half: Course, piece: Piece, places: list[Place], lengths: Vector, why: int
 ) -> bool:
     """Add where the branch meets that of half the phases to a segment; whether it does.
 
@@ -137,14 +137,14 @@ def _meets(
             events = events_in(piece, before, after, length)
             if any(event and event.changes and at < part * length for at, event in events):
                 return False
-    found.points += [(piece, place) for place in places[1 : i + 1]]
-    found.events.append(meeting(piece, half, before, after))
-    found.why = TWICE
+    segment.points += [(piece, place) for place in places[1 : i + 1]]
+    segment.events.append(meeting(piece, half, before, after))
+    segment.why = TWICE
     return True
 
 
 def _pass(
-    found: Segment, piece: Piece, before: Place, after: Place, length: float
+    segment: Segment, piece: Piece, before: Place, after: Place, length: float
 ) -> tuple[Piece, Place]:
     """Add the events of a step to a segment; return where the branch goes on behind them.
 
@@ -166,9 +166,9 @@ def _pass(
             break
     else:
         points.append((piece, after))
-    found.points += points
-    found.events += events
-    found.why = why
+    segment.points += points
+    segment.events += events
+    segment.why = why
     return points[-1]
 
 
@@ -187,8 +187,8 @@ def _closed(
     return int(passed[0]) if len(passed) else None
 
 
-def in_units(there: Piece, piece: Piece, y: Vector) -> Vector:
-    """Return the unknowns of an orbit of the piece `there` in the units of `piece`."""
-    unknowns = y * there.sizes / piece.sizes
-    unknowns[-1] = piece.interval.q(there.value(y) / unit_of(piece.case, piece.index))
+def in_units(other: Piece, piece: Piece, y: Vector) -> Vector:
+    """Return the unknowns of an orbit of the piece `other` in the units of `piece`."""
+    unknowns = y * other.sizes / piece.sizes
+    unknowns[-1] = piece.interval.q(other.value(y) / unit_of(piece.case, piece.index))
     return np.asarray(unknowns)

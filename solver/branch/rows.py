@@ -51,8 +51,8 @@ def _at_phase_zero(piece: Piece, place: Place, turn: float) -> tuple[float, floa
     return sign * x * units.length, sign * v * units.of_motion(1)
 
 
-def event_of(found: Found) -> BranchEvent:
+def event_of(event: Found) -> BranchEvent:
     """Return what happens on a branch as users read it."""
-    course, p = found.piece.course, found.phase
+    course, p = event.piece.course, event.phase
     phase = None if p is None else course.order.steps[p].called(course.base.phases)
-    return BranchEvent(found.kind, found.value, course.motion, phase, found.estimate)
+    return BranchEvent(event.kind, event.value, course.motion, phase, event.estimate)

@@ -54,15 +54,15 @@ def stepped(along: Any, y: Vector, direction: Vector, length: float) -> tuple[bo
     return converged, fall, orbit
 
 
-def multiplier_monitors(own: Matrix) -> tuple[float, float, float]:
+def multiplier_monitors(matrix: Matrix) -> tuple[float, float, float]:
     """Return ``det(M + 1)``, the number of multipliers outside the unit circle, and a product.
 
     The product is that of ``lambda_i lambda_j - 1``: zero where a pair has modulus 1.
     """
-    minus = float(np.linalg.det(own + np.eye(len(own))))
-    values, product = np.linalg.eigvals(own.astype(np.complex128)), complex(1.0, 0.0)
-    if len(own) == 2:
-        area = own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0]
+    minus = float(np.linalg.det(matrix + np.eye(len(matrix))))
+    values, product = np.linalg.eigvals(matrix.astype(np.complex128)), complex(1.0, 0.0)
+    if len(matrix) == 2:
+        area = matrix[0, 0] * matrix[1, 1] - matrix[0, 1] * matrix[1, 0]
         return minus, outside(values), float(area - 1)
     for i in range(len(values)):
         for j in range(i):
@@ -116,21 +116,21 @@ def happens(before: float, after: float, i: int) -> bool:
     return i != PAIRS and before * after < 0 and min(abs(before), abs(after)) > NEUTRAL
 
 
-def dips(before: Vector, here: Vector, after: Vector, back: float, ahead: float) -> float:
+def dips(before: Vector, between: Vector, after: Vector, back: float, ahead: float) -> float:
     """Return where in two steps a monitor may have two roots, from the orbit between; else 0.
 
     A monitor has the same sign at the three orbits, but the parabola through its values, or
     through their squares, changes it.  (Squares, as the least factor of a complex pair is not
     smooth.)  A minimum next to one of the orbits does not count.
     """
-    orbit, nearest = len(here) - OWN, 0.0
-    for i in range(len(here)):
-        least = min(abs(before[i]), abs(here[i]), abs(after[i]))
-        alike = before[i] * here[i] > 0 and here[i] * after[i] > 0
+    orbit, nearest = len(between) - OWN, 0.0
+    for i in range(len(between)):
+        least = min(abs(before[i]), abs(between[i]), abs(after[i]))
+        alike = before[i] * between[i] > 0 and between[i] * after[i] > 0
         if not alike or i == orbit + OUTSIDE or (i >= orbit and least <= NEUTRAL):
             continue
         for power in range(1, 3):
-            left, middle, right = abs(before[i]), abs(here[i]), abs(after[i])
+            left, middle, right = abs(before[i]), abs(between[i]), abs(after[i])
             left, middle, right = left**power, middle**power, right**power
             fell, rose = (middle - left) / back, (right - middle) / ahead
             bend = (rose - fell) / (back + ahead)

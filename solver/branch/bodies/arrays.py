@@ -103,7 +103,7 @@ UNKNOWN = np.empty((0, 0), dtype=complex), np.empty((0, 0, 0)), np.empty((0, 0, 
 
 
 def known_of(
-    cell: BodyCell, others: Iterable[BodyCell], series: Matrix
+    cell: BodyCell, other_cells: Iterable[BodyCell], series: Matrix
 ) -> tuple[Matrix, Known]:
     """Return the series of the entries that vary, and what does not.
 
@@ -111,7 +111,7 @@ def known_of(
     ----------
     cell : BodyCell
         At one value of the parameter, or of two parameters.
-    others : iterable of BodyCell
+    other_cells : iterable of BodyCell
         At other values.
     series : ndarray, shape (entries, ...)
         Of all entries, in one parameter or two.
@@ -119,14 +119,16 @@ def known_of(
     rows, parts = series.reshape(len(series), -1), parts_of(cell)
     varying = np.flatnonzero(rows[:, 1:].any(axis=1))
     matrices = [_of_places(part) for part in parts]
-    sizes = [np.abs(own).max(axis=1, keepdims=True) for own in matrices]
+    sizes = [np.abs(matrix).max(axis=1, keepdims=True) for matrix in matrices]
     are_fixed = np.ones(len(parts), dtype=bool)
-    for other in others:
+    for other in other_cells:
         pairs = zip(matrices, map(_of_places, parts_of(other)), strict=True)
-        change = [np.abs(own - other_matrix) for own, other_matrix in pairs]
+        change = [np.abs(matrix - other_matrix) for matrix, other_matrix in pairs]
         are_fixed &= [(a <= SAME * b).all() for a, b in zip(change, sizes, strict=True)]
-    own = [_held(part) if fixed else None for part, fixed in zip(parts, are_fixed, strict=True)]
-    return np.ascontiguousarray(series[varying]), _known(own, rows[:, 0].copy(), varying)
+    held = [
+        _held(part) if fixed else None for part, fixed in zip(parts, are_fixed, strict=True)
+    ]
+    return np.ascontiguousarray(series[varying]), _known(held, rows[:, 0].copy(), varying)
 
 
 def _of_places(part: Part) -> Matrix:
@@ -151,16 +153,16 @@ def _held(part: Part) -> tuple[Complex, Complex, Complex] | None:
 
 
 def _known(
-    own: Sequence[tuple[Complex, Complex, Complex] | None], constant: Vector, varying: Indices
+    held: Sequence[tuple[Complex, Complex, Complex] | None], constant: Vector, varying: Indices
 ) -> Known:
     """Return the eigenbases of phases as arrays."""
-    eigenbases = [eigenbasis for eigenbasis in own if eigenbasis]
+    eigenbases = [eigenbasis for eigenbasis in held if eigenbasis]
     if not eigenbases:
         return Known(*UNKNOWN, constant, varying)
     n, m = len(eigenbases[0][1]), max(len(poles) for poles, _, _ in eigenbases)
-    all_poles = np.full((len(own), m), np.nan, dtype=complex)
-    bases, inverses = np.zeros((len(own), n, 2 * m)), np.zeros((len(own), 2 * m, n))
-    for p, eigenbasis in enumerate(own):
+    all_poles = np.full((len(held), m), np.nan, dtype=complex)
+    bases, inverses = np.zeros((len(held), n, 2 * m)), np.zeros((len(held), 2 * m, n))
+    for p, eigenbasis in enumerate(held):
         if eigenbasis:
             poles, basis, inverse = eigenbasis
             k = len(poles)

@@ -53,7 +53,7 @@ class BodyCourse(Course):
         matrices = arrays(cell, forms)
         return np.repeat(np.arange(len(matrices)), [matrix.size for matrix in matrices])
 
-    def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
+    def framed(self, cell: Cell, z: Vector, series: Any, other_cells: Iterable[Cell]) -> Along:
         """Return the equations of a cell from their series; the states have one scale."""
         count, states = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)
@@ -62,7 +62,7 @@ class BodyCourse(Course):
         weights[: memory.start] = 1 / size
         weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
         weights[states : states + count] = 1 / float(z[states : states + count].sum())
-        cells, width = [cell, *others], np.array([states + 3])
+        cells, width = [cell, *other_cells], np.array([states + 3])
         divided = divided_phases(cell, z[states:])
         for p in range(count):
             is_singular = divided[p] or not returns(cell, p)
@@ -124,10 +124,10 @@ class BodyCourse(Course):
         angle = times[-1] if forced else 0.0
         return from_times(orbit_case, RoughTimes(times[:count], angle, "a branch"))
 
-    def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
+    def maps(self, case: Any, z: Vector, stored: Matrix) -> tuple[Matrix, Matrix]:
         """Return the derivative of the map over a cell, and its size, computed anew."""
         with np.errstate(all="ignore"):  # an event may be touched there
-            matrix, size, _ = equations.cell_map(case, z, kept, 0.0)
+            matrix, size, _ = equations.cell_map(case, z, stored, 0.0)
         return matrix, size
 
     def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:

@@ -199,16 +199,16 @@ def cell_map(
     return matrix, size, crossed
 
 
-def multiplier_monitors(own: Matrix) -> tuple[float, float, float]:
+def multiplier_monitors(matrix: Matrix) -> tuple[float, float, float]:
     """Return the monitors of multipliers, as `walk.multiplier_monitors` does.
 
     In place of products, which overflow for many multipliers, the least factor with the sign of
     the product: of ``lambda_i + 1``, and of ``1 - lambda_i lambda_j``.
     """
-    lasts = lasting(own)
-    own = own[lasts][:, lasts]
-    values = np.linalg.eigvals(own.astype(np.complex128)).astype(np.complex128)
-    beneath = np.tril(np.ones(own.shape), -1).ravel() > 0
+    lasts = lasting(matrix)
+    matrix = matrix[lasts][:, lasts]
+    values = np.linalg.eigvals(matrix.astype(np.complex128)).astype(np.complex128)
+    beneath = np.tril(np.ones(matrix.shape), -1).ravel() > 0
     pairs = np.outer(values, values).ravel()[beneath]
     return least_factor(values + 1), outside(values), least_factor(1 - pairs)
 

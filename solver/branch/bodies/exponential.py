@@ -53,17 +53,17 @@ def answers(poles: Complex, omega: float, t: float) -> Complex:
     return responses
 
 
-def doubled(made: Complex, poles: Complex, omega: float, t: float) -> Complex:
+def doubled(responses: Complex, poles: Complex, omega: float, t: float) -> Complex:
     """Return the `answers` after 2 t: ``e^(2a) - e^(2b) = (e^a - e^b)(e^a + e^b)``."""
-    growth, responses = np.exp(poles * t), np.empty_like(made)
-    responses[0] = made[0] * (growth + np.exp(1j * omega * t))
-    responses[1] = made[1] * (growth + np.exp(-1j * omega * t))
-    responses[2] = made[2] * (growth + 1)
-    return responses
+    growth, doubled_responses = np.exp(poles * t), np.empty_like(responses)
+    doubled_responses[0] = responses[0] * (growth + np.exp(1j * omega * t))
+    doubled_responses[1] = responses[1] * (growth + np.exp(-1j * omega * t))
+    doubled_responses[2] = responses[2] * (growth + 1)
+    return doubled_responses
 
 
 def by_basis(
-    poles: Complex, drives: Matrix, omega: float, made: Complex, t: float, y: Matrix
+    poles: Complex, drives: Matrix, omega: float, responses: Complex, t: float, y: Matrix
 ) -> Matrix:
     """Return the change of modal coordinates in a time, by column.
 
@@ -72,13 +72,13 @@ def by_basis(
     poles : ndarray of complex, shape (m,)
     drives : ndarray, shape (2 m, r)
         See `drives_of`.
-    made : ndarray of complex, shape (3, m)
+    responses : ndarray of complex, shape (3, m)
         The `answers` in the time t.
     y : ndarray, shape (2 m + r, k)
         Real parts of the modal coordinates, imaginary parts, and the inputs.
     """
-    m, to_constant = len(poles), made[2]
-    to_cosine, to_sine = (made[0] + made[1]) / 2, (made[0] - made[1]) * 0.5j
+    m, to_constant = len(poles), responses[2]
+    to_cosine, to_sine = (responses[0] + responses[1]) / 2, (responses[0] - responses[1]) * 0.5j
     inputs, r = np.ascontiguousarray(y[2 * m :]), len(y) - 2 * m
     cosine, sine = inputs[r - 3], inputs[r - 2]
     driven = drives[:m] + 1j * drives[m:]

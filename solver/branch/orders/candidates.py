@@ -71,10 +71,10 @@ class Candidate:
 class AtEvent:
     """An orbit at an event, and its candidates for the order of phases beyond."""
 
-    def __init__(self, found: Found) -> None:
-        piece, y = found.piece, found.place.y
+    def __init__(self, event: Found) -> None:
+        piece, y = event.piece, event.place.y
         numbers = piece.numbers(y)
-        self.found, self.course, self.z = found, piece.course, y[:-1]
+        self.event, self.course, self.z = event, piece.course, y[:-1]
         self.equations = piece.equations(y)
         self.cell, self.machine = self.course.cell(numbers), self.course.machine(numbers)
         self.steps = [node.step for node in self.machine.nodes]
@@ -85,12 +85,12 @@ class AtEvent:
 
     def candidates(self) -> Iterator[Candidate]:
         """Yield the candidates, those of fewer phases first."""
-        p, column = self.found.phase, self.found.column
+        p, column = self.event.phase, self.event.column
         assert p is not None
         if column is None:
             yield from self._without(p)
             return
-        row = self.found.piece.rows[self.found.row]
+        row = self.event.piece.rows[self.event.row]
         within = row.kind == WITHIN
         if within and (column == LEAST or self.course.endless):
             yield from self._touched(p, row.number, column)
@@ -101,25 +101,29 @@ class AtEvent:
         else:
             yield from self._between(p)
 
-    def as_declared(self, found: Candidate) -> Candidate:
+    def as_declared(self, candidate: Candidate) -> Candidate:
         """Return a candidate rotated to begin as an order that the scene declares.
 
         If none fits, it begins with a phase that is not mirrored, if there is one.
         """
-        rotations = [found]
-        for _ in range(0 if found.endless else len(found.slots) * (2 if found.half else 1) - 1):
+        rotations = [candidate]
+        for _ in range(
+            0 if candidate.endless else len(candidate.slots) * (2 if candidate.half else 1) - 1
+        ):
             rotations.append(self._turned(rotations[-1]))
         plain = (each for each in rotations if not each.slots[0].step.mirrored)
         declared = (each for each in rotations if each.course(self.course).declared is not None)
-        return next(declared, next(plain, found))
+        return next(declared, next(plain, candidate))
 
-    def _turned(self, found: Candidate) -> Candidate:
+    def _turned(self, candidate: Candidate) -> Candidate:
         """Return a candidate rotated by one phase."""
-        first, *others = found.slots
-        last = self.next_cell(first, found.half)
-        angle = found.angle + self.cell.omega * first.s
-        grows = None if found.grows is None else (found.grows - 1) % len(found.slots)
-        return Candidate((*others, last), found.half, angle, grows)
+        first, *rest = candidate.slots
+        last = self.next_cell(first, candidate.half)
+        angle = candidate.angle + self.cell.omega * first.s
+        grows = (
+            None if candidate.grows is None else (candidate.grows - 1) % len(candidate.slots)
+        )
+        return Candidate((*rest, last), candidate.half, angle, grows)
 
     def next_cell(self, slot: Slot, half: bool | None = None) -> Slot:
         """Return a phase a cell later: the same, or mirrored if cells are half periods."""
@@ -153,7 +157,7 @@ class AtEvent:
         before = self.course.moving_at(*orbit, last, self.slots[last].s)[1]
         before *= self.cell.sign if p == 0 else 1
         after = self.course.moving_at(*orbit, p, 0.0)[1]
-        fastest = float(np.abs(self.found.place.extremes[1]).max())
+        fastest = float(np.abs(self.event.place.extremes[1]).max())
         return abs(after - before) > ROUNDING * fastest
 
     def _uncrossed(self, p: int) -> Iterator[Candidate]:
@@ -198,11 +202,11 @@ class AtEvent:
 
         The start of a motion that never ends counts as inside.
         """
-        piece, slot = self.found.piece, self.slots[p]
+        piece, slot = self.event.piece, self.slots[p]
         ended = self._ended_by(slot.step, demand)
         if ended is None:
             return
-        arguments = self.equations, piece.table, self.z, self.found.row
+        arguments = self.equations, piece.table, self.z, self.event.row
         time = 0.0 if column != LEAST else float(self.course.by("when_least", *arguments))
         state = self.course.state(self.equations, self.z, p, time)
         between = [q for q in self.steps if self._may(ended, q) and self._may(q, slot.step)]

@@ -25,39 +25,39 @@ AHEAD = (1e-3, 1e-2, 1e-4, 1e-5)
 ASIDE = (1e-4, 1e-2, 1e-3, 3e-2, 1e-1)
 
 
-def beyond(found: Found) -> tuple[Piece, Place] | None:
+def beyond(event: Found) -> tuple[Piece, Place] | None:
     """Return an orbit beyond an event that changes the order of phases; None without one.
 
     Parameters
     ----------
-    found : Found
+    event : Found
         The event.
     """
-    event = AtEvent(found)
-    for candidate in map(event.as_declared, event.candidates()):
+    at_event = AtEvent(event)
+    for candidate in map(at_event.as_declared, at_event.candidates()):
         for ahead in AHEAD:
             try:
-                return _orbit_beyond(found, candidate, ahead)
+                return _orbit_beyond(event, candidate, ahead)
             except (NoStepError, ParameterError, UnknownScene, ArithmeticError):
                 continue
     return None
 
 
-def doubled(found: Found) -> tuple[Piece, Place] | None:
+def doubled(event: Found) -> tuple[Piece, Place] | None:
     """Return an orbit of twice the period beside a flip, or an unsymmetric one; else None.
 
     The equations of the doubled orbit have a two-dimensional null space at the flip.  The
     search starts along its direction in which the two halves of the orbit differ.
     """
-    event, piece = AtEvent(found), found.piece
-    if event.course.endless:
+    at_event, piece = AtEvent(event), event.piece
+    if at_event.course.endless:
         return None
-    slots = (*event.slots, *map(event.next_cell, event.slots))
+    slots = (*at_event.slots, *map(at_event.next_cell, at_event.slots))
     order = Order(tuple(slot.step for slot in slots))
-    cycles = piece.course.cycles * (1 if event.half else 2)
+    cycles = piece.course.cycles * (1 if at_event.half else 2)
     course = replace(piece.course, order=order, cycles=cycles)
-    z = _unknowns(found, course, Candidate(slots, False, event.angle))
-    unknowns = np.append(z, piece.number(found.place.y))
+    z = _unknowns(event, course, Candidate(slots, False, at_event.angle))
+    unknowns = np.append(z, piece.number(event.place.y))
     bare = Piece.at(course, piece.case, piece.index, piece.bounds, unknowns, ())
     y = bare.of_number(unknowns)
     null_space = bare.singular_vectors(y)[-2:]
@@ -72,7 +72,7 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     return None
 
 
-def _orbit_beyond(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place]:
+def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place]:
     """Return an orbit of a candidate a little beyond an event.
 
     Raises
@@ -80,14 +80,14 @@ def _orbit_beyond(found: Found, candidate: Candidate, ahead: float) -> tuple[Pie
     NoStepError
         If there is none.
     """
-    piece = found.piece
+    piece = event.piece
     course = candidate.course(piece.course)
-    z = _unknowns(found, course, candidate)
+    z = _unknowns(event, course, candidate)
     count, forced = len(candidate.slots), piece.cell.forced
     at_s = len(z) - count - forced
     if candidate.grows is not None:
         z[at_s + candidate.grows] = ahead * z[at_s : at_s + count].sum()
-    unknowns = np.append(z, piece.number(found.place.y))
+    unknowns = np.append(z, piece.number(event.place.y))
     bare = Piece.at(course, piece.case, piece.index, piece.bounds, unknowns, ())
     y = bare.of_number(unknowns)
     if candidate.grows is not None:
@@ -124,8 +124,8 @@ def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
     return piece, place
 
 
-def _unknowns(found: Found, course: Course, candidate: Candidate) -> Vector:
+def _unknowns(event: Found, course: Course, candidate: Candidate) -> Vector:
     """Return the unknowns of a candidate at an event, in the units of its piece."""
-    numbers, durations = found.piece.numbers(found.place.y), [q.s for q in candidate.slots]
+    numbers, durations = event.piece.numbers(event.place.y), [q.s for q in candidate.slots]
     states = [slot.state for slot in candidate.slots]
     return course.gathered(numbers, states, np.array(durations), candidate.angle)
