@@ -212,14 +212,14 @@ def _axes(case: Case, axes: Mapping[str, tuple[float, float, int]]) -> tuple[Axi
     return columns, rows
 
 
-def _axis(case: Case, name: str, given: object) -> Axis:
+def _axis(case: Case, name: str, numbers: object) -> Axis:
     index_of(case, name)
-    parts: list[Any] = [*given] if isinstance(given, Sequence) else []
+    parts: list[Any] = [*numbers] if isinstance(numbers, Sequence) else []
     right = len(parts) == 3 and all(map(is_number, parts)) and parts[0] != parts[1]
     count = int(parts[2]) if right and isinstance(parts[2], Integral) else 0
     if not LEAST_VALUES <= count <= MOST_VALUES:
         expected = f"two different numbers, and {LEAST_VALUES} to {MOST_VALUES} values"
-        raise ValueError(f"{name}: got {given!r:.80}, expected {expected}")
+        raise ValueError(f"{name}: got {numbers!r:.80}, expected {expected}")
     low, high = sorted(map(float, parts[:2]))
     return Axis(name, low, high, count)
 

@@ -139,14 +139,14 @@ def _turns(plane: Plane, y: Vector) -> bool:
     return bool(abs(values[row[nearest]].imag) > TURNED)
 
 
-def _edge(plane: Plane, monitor: int, y: Vector, there: Vector) -> Vector | None:
+def _edge(plane: Plane, monitor: int, y: Vector, y_outside: Vector) -> Vector | None:
     """Return where a step leaves the rectangle; None if it is not found."""
-    ends = np.sign(there[-2:])
+    ends = np.sign(y_outside[-2:])
     with np.errstate(divide="ignore", invalid="ignore"):  # along an edge, or straight across
-        parts = (ends - y[-2:]) / (there[-2:] - y[-2:])
-    parts[np.abs(there[-2:]) <= 1] = np.inf
+        parts = (ends - y[-2:]) / (y_outside[-2:] - y[-2:])
+    parts[np.abs(y_outside[-2:]) <= 1] = np.inf
     index = int(np.argmin(parts))
-    start = y + parts[index] * (there - y)
+    start = y + parts[index] * (y_outside - y)
     start[index - 2] = ends[index]
     return _pinned(plane, monitor, start, _unit(len(y), index))[0]
 

@@ -100,9 +100,9 @@ def _point(value: float, piece: Piece, place: Place, across: int) -> Vector:
     return np.concatenate([y, parameters if across == 1 else parameters[::-1]])
 
 
-def monitor_of(found: Found) -> Monitor:
+def monitor_of(event: Found) -> Monitor:
     """Return what vanishes at an event."""
-    piece, i = found.piece, found.monitor
+    piece, i = event.piece, event.monitor
     forms, phases = 3 * len(piece.rows), len(piece.along.kinds)
     if i < forms:
         return piece.rows[i // 3], i % 3

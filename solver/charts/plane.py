@@ -86,11 +86,11 @@ class Plane:
         """The size of the map of perturbations."""
         return self.course.perturbed(self.series)
 
-    def inside(self, found: Matrix) -> Matrix:
+    def inside(self, points: Matrix) -> Matrix:
         """Return unknowns and parameters on the plane from those in SI units."""
         ends = enumerate(self.bounds)
-        coordinates = ((2 * found[:, i - 2] - sum(q)) / (q[1] - q[0]) for i, q in ends)
-        return np.column_stack([found[:, :-2] / self.sizes, *coordinates])
+        coordinates = ((2 * points[:, i - 2] - sum(q)) / (q[1] - q[0]) for i, q in ends)
+        return np.column_stack([points[:, :-2] / self.sizes, *coordinates])
 
     def values(self, y: Vector) -> tuple[float, float]:
         """Return the parameters of an orbit of the plane in SI units."""
