@@ -16,7 +16,7 @@ from .series import DURATION, factorise_phase, gained, solve_phase, unpack
 from .series_rates import gained_by_duration, phase_rate
 
 
-def known_begin(case: Any, at: Any, known: Any) -> int:
+def known_begin(case: Any, at: Any, is_known: Any) -> int:
     """Return the first phase that begins in a known state; -1 without one, or if not apt.
 
     Not apt are cells with forcing, a memory, or an event at the begin of a phase.
@@ -28,7 +28,7 @@ def known_begin(case: Any, at: Any, known: Any) -> int:
     for p in range(len(kinds)):
         if kinds[p, OF_X] == AT_BEGIN:
             return -1
-        if first < 0 and known[at[p]] and known[at[p] + 1]:
+        if first < 0 and is_known[at[p]] and is_known[at[p] + 1]:
             first = p
     return first
 

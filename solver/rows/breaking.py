@@ -73,7 +73,7 @@ def break_tables(kinds, sign, ends):
     return series, values
 
 
-def add_break_states(case, z, at, ends, values, found):
+def add_break_states(case, z, at, ends, values, states):
     """Add the functions to the derivatives at ends of phases, laid out as `beside_series`."""
     kinds, setting = case[0], case[2]
     phases, T, at_s = len(kinds), ends[len(kinds)], at[len(kinds)] + len(setting)
@@ -83,18 +83,18 @@ def add_break_states(case, z, at, ends, values, found):
             for q in range(phases):
                 for side in range(2):
                     power = 1.0
-                    for order in range(min(n + 1, found.shape[2])):
+                    for order in range(min(n + 1, states.shape[2])):
                         value = values[p, q, side, n - order] / power
                         power = power * T
-                        found[q, side, order, 0] += z[index] * value
-                        if found.shape[3] == 1:
+                        states[q, side, order, 0] += z[index] * value
+                        if states.shape[3] == 1:
                             continue
-                        found[q, side, order, 1 + index] += value
+                        states[q, side, order, 1 + index] += value
                         slope = values[p, q, side, n - order - 1] / power if order < n else 0.0
                         for r in range(phases):
                             rate = switch_rate(ends, r, q + side) - switch_rate(ends, r, p)
                             change = z[index] * (rate * slope - order / T * value)
-                            found[q, side, order, 1 + at_s + r] += change
+                            states[q, side, order, 1 + at_s + r] += change
 
 
 def harmonic_moments(sign, ends, period, count, degrees):
@@ -162,7 +162,7 @@ def add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows):
             before = integrals
 
 
-def add_break(case, z, at, ends, p, n, found, before, N, rows):
+def add_break(case, z, at, ends, p, n, integrals, before, N, rows):
     """Add the terms of one function to the rows of the harmonics.
 
     Their derivatives are for fixed limits of integration; see `add_moved_ends`.
@@ -171,13 +171,15 @@ def add_break(case, z, at, ends, p, n, found, before, N, rows):
     index, T = at[p] + n - kinds[p, CLASS] - 2, ends[len(kinds)]
     at_s = at[len(kinds)] + len(setting)
     for wave in range(2):
-        for i in range(found.shape[2]):
+        for i in range(integrals.shape[2]):
             row = cosine_place(sign, N, i) if wave == 1 else i
-            rows[row, 0] += z[index] * found[0, wave, i]
+            rows[row, 0] += z[index] * integrals[0, wave, i]
             if rows.shape[1] > 1:
-                rows[row, 1 + index] += found[0, wave, i]
+                rows[row, 1 + index] += integrals[0, wave, i]
                 for r in range(len(kinds)):
-                    change = found[1, wave, i] - switch_rate(ends, r, p) * before[0, wave, i]
+                    change = (
+                        integrals[1, wave, i] - switch_rate(ends, r, p) * before[0, wave, i]
+                    )
                     rows[row, 1 + at_s + r] += z[index] * change / T
 
 

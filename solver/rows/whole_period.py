@@ -62,22 +62,22 @@ def beside_series(kinds, sign, z, at, highest, width):
     return states
 
 
-def add_state(rows, row, factor, series, others, p, side, order):
+def add_state(rows, row, factor, series, beside, p, side, order):
     """Add a factor times a derivative at the begin (side 0) or end (1) of phase p to a row."""
     for i in range(rows.shape[1] if factor != 0 else 0):
-        rows[row, i] += factor * (series[p + side, order, i] + others[p, side, order, i])
+        rows[row, i] += factor * (series[p + side, order, i] + beside[p, side, order, i])
 
 
-def add_jump(rows, row, after, before, sign, series, others, q, order):
+def add_jump(rows, row, after, before, sign, series, beside, q, order):
     """Add `after` times a derivative after the begin of phase q, less `before` times before.
 
     The series is continuous: with equal factors it is left out, which avoids cancellation.
     """
-    p, left = (q - 1, before) if q > 0 else (len(others) - 1, sign * before)
+    p, left = (q - 1, before) if q > 0 else (len(beside) - 1, sign * before)
     for i in range(rows.shape[1]):
         if after != before:
             rows[row, i] += (after - before) * series[q, order, i]
-        rows[row, i] += after * others[q, 0, order, i] - left * others[p, 1, order, i]
+        rows[row, i] += after * beside[q, 0, order, i] - left * beside[p, 1, order, i]
 
 
 def add_force_rate(case, z, at_w, ends, rows, row, factor, p, side, order):
@@ -101,7 +101,7 @@ def add_force_rate(case, z, at_w, ends, rows, row, factor, p, side, order):
             add_angle(rows, row, change, cell[1], at_s, p + side)
 
 
-def add_switches(case, z, at, ends, series, others, rows):
+def add_switches(case, z, at, ends, series, beside, rows):
     """Add the law of each jump of the velocity, and the differentiated equation of motion.
 
     The equation, differentiated ``order - 2`` times, holds on both sides of a switch: its jump
@@ -115,16 +115,16 @@ def add_switches(case, z, at, ends, series, others, rows):
             row, order = at[q] + i, kinds[q, CLASS] + 1 + i
             if order == 1:
                 rows[row, 0] -= sign * numbers[p, JUMP]
-                add_jump(rows, row, 1.0, numbers[p, RHO], cell[0], series, others, q, 1)
+                add_jump(rows, row, 1.0, numbers[p, RHO], cell[0], series, beside, q, 1)
                 continue
             for step in range(3):  # of the acceleration, the velocity, the displacement
                 after, before = numbers[q, step], numbers[p, step]
-                add_jump(rows, row, after, before, cell[0], series, others, q, order - step)
+                add_jump(rows, row, after, before, cell[0], series, beside, q, order - step)
             add_force_rate(case, z, at_w, ends, rows, row, 1.0, q, 0, order - 2)
             add_force_rate(case, z, at_w, ends, rows, row, -sign, p, 1, order - 2)
 
 
-def add_closure(case, z, at_w, ends, series, others, rows):
+def add_closure(case, z, at_w, ends, series, beside, rows):
     """Add the conditions of events, memories, and the duration of the cell."""
     kinds, numbers, setting, memory, cell = case[:5]
     count, memories, rates = len(kinds), len(setting), rows.shape[1] > 1
@@ -133,7 +133,7 @@ def add_closure(case, z, at_w, ends, series, others, rows):
         row = at_w + p
         rows[row, 0] += numbers[p, E_0]
         for order in range(2):
-            add_state(rows, row, numbers[p, E_X + order], series, others, p, 1, order)
+            add_state(rows, row, numbers[p, E_X + order], series, beside, p, 1, order)
         for i in range(memories):
             rows[row, 0] += numbers[p, MEMORY + memories + i] * z[at_w + i]
             if rates:
@@ -145,7 +145,7 @@ def add_closure(case, z, at_w, ends, series, others, rows):
         if rates:
             rows[row, 1 + at_w + i] += 1.0
         for order in range(2):
-            add_state(rows, row, -memory[i, order], series, others, p, 0, order)
+            add_state(rows, row, -memory[i, order], series, beside, p, 0, order)
         add_cosine(rows, row, -memory[i, 2], z, ends, cell[1], at_s, p)
     if cell[2] != 0:
         row = at_s + count
