@@ -59,17 +59,17 @@ def estimate(orbit: Solution) -> Errors:
     return _with_rounding(orbit, better[0], Errors(*(abs(a) + abs(b) for a, b in pairs)))
 
 
-def _with_rounding(orbit: Solution, near: Motion, found: Errors) -> Errors:
+def _with_rounding(orbit: Solution, near: Motion, bare: Errors) -> Errors:
     """Return errors plus rounding errors, whose condition is computed at an accurate orbit."""
     error, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(near)
     free = 0.0 if orbit.case.cell.forced else shared  # a forcing makes the period known
     angle = 2 * math.pi * shared  # times are relative to the period, this is in radians
     place, derivative = (EPSILON * part for part in cancelled(near))
     return Errors(
-        period=found.period + error + max(ROUNDING, free),
-        times=found.times + error + max(ROUNDING, shared),
-        discontinuous=found.discontinuous + error + max(DERIVATIVE_ROUNDING, angle, derivative),
-        switches=found.switches + error + max(ROUNDING, shared, place),
+        period=bare.period + error + max(ROUNDING, free),
+        times=bare.times + error + max(ROUNDING, shared),
+        discontinuous=bare.discontinuous + error + max(DERIVATIVE_ROUNDING, angle, derivative),
+        switches=bare.switches + error + max(ROUNDING, shared, place),
     )
 
 

@@ -195,9 +195,9 @@ def _repeated(orbit: Motion) -> tuple[str, ...]:
     return ()
 
 
-def are_same(orbit: Motion, others: Sequence[OrbitPhase]) -> bool:
+def are_same(orbit: Motion, phases: Sequence[OrbitPhase]) -> bool:
     """Return whether the phases of an orbit equal others up to rounding."""
-    pairs = list(zip(orbit.phases, others, strict=True))
+    pairs = list(zip(orbit.phases, phases, strict=True))
     largest = max(abs(one.duration - other.duration) for one, other in pairs)
     if largest > SAME * orbit.period:
         return False

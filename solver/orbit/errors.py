@@ -39,7 +39,7 @@ class Errors:
     switches: float
 
 
-def difference(found: Motion, reference: Motion, waves: int) -> Errors:
+def difference(motion: Motion, reference: Motion, waves: int) -> Errors:
     """Return the errors of one motion against another of the same case.
 
     Parameters
@@ -47,43 +47,43 @@ def difference(found: Motion, reference: Motion, waves: int) -> Errors:
     waves : int
         Most waves of either on a phase: the number of panels of the quadrature.
     """
-    durations, expected = found.cell_durations, reference.cell_durations
+    durations, expected = motion.cell_durations, reference.cell_durations
     return Errors(
         period=float(np.sum(durations - expected)) / float(np.sum(expected)),
-        times=times_apart(found, expected, reference.angle) / found.case.cell.cells,
-        discontinuous=_of_derivative(found, reference, waves),
-        switches=_of_switches(found, reference),
+        times=times_apart(motion, expected, reference.angle) / motion.case.cell.cells,
+        discontinuous=_of_derivative(motion, reference, waves),
+        switches=_of_switches(motion, reference),
     )
 
 
-def times_apart(found: Motion, durations: Vector | tuple[float, ...], angle: float) -> float:
+def times_apart(motion: Motion, durations: Vector | tuple[float, ...], angle: float) -> float:
     """Return the largest difference between the times of a motion and others, over the cell."""
-    cell = found.case.cell
-    distance = float(np.abs(found.cell_durations - durations).max())
+    cell = motion.case.cell
+    distance = float(np.abs(motion.cell_durations - durations).max())
     if cell.forced:
-        turn = math.remainder(found.angle - angle, 2 * math.pi)
+        turn = math.remainder(motion.angle - angle, 2 * math.pi)
         distance = max(distance, abs(turn) / cell.omega)
     return distance / float(np.sum(durations))
 
 
-def _of_switches(found: Motion, reference: Motion) -> float:
+def _of_switches(motion: Motion, reference: Motion) -> float:
     """Return the error `Errors.switches`."""
     phases, start = range(len(reference.cell_durations)), np.zeros(1)
     distance = max(
-        abs(float((found.part(p, start, 0) - reference.part(p, start, 0))[0])) for p in phases
+        abs(float((motion.part(p, start, 0) - reference.part(p, start, 0))[0])) for p in phases
     )
     size = max(float(np.abs(reference.part(p, LOOK, 0)).max()) for p in phases)
     return distance / size if size else distance
 
 
-def _of_derivative(found: Motion, reference: Motion, waves: int) -> float:
+def _of_derivative(motion: Motion, reference: Motion, waves: int) -> float:
     """Return the error `Errors.discontinuous`."""
     u, weights = panels([], max(waves, 2))
-    order = found.case.cell.k + 1
+    order = motion.case.cell.k + 1
     squared_error = squared_norm = 0.0
     for p, s in enumerate(reference.cell_durations):
         expected = derivative(reference, p, u, order)
-        error = derivative(found, p, u, order) - expected
+        error = derivative(motion, p, u, order) - expected
         squared_error += float(s * (weights @ error**2))
         squared_norm += float(s * (weights @ expected**2))
     return math.sqrt(squared_error / squared_norm if squared_norm else squared_error)
@@ -102,16 +102,16 @@ def derivative(motion: Motion, p: int, u: Vector, order: int) -> Vector:
     return chebyshev.derivative_at(parts, u, times) / duration**times
 
 
-def acceleration_error(found: Motion, reference: Motion, waves: int) -> float:
+def acceleration_error(motion: Motion, reference: Motion, waves: int) -> float:
     """Return the relative L2 error of the acceleration over normalised time, (22) of the paper.
 
     `waves` are the most that either has on a period: the number of panels of the quadrature.
     """
-    switches = (_switches(found), _switches(reference))
+    switches = (_switches(motion), _switches(reference))
     breaks = [float(t) for times in switches for t in times[1:-1] / times[-1]]
     theta, weights = panels(breaks, max(waves, 2))
     expected = _acceleration(reference, theta)
-    error = _acceleration(found, theta) - expected
+    error = _acceleration(motion, theta) - expected
     return math.sqrt(float(weights @ error**2) / float(weights @ expected**2))
 
 

@@ -152,8 +152,8 @@ MUTANTS = (
     Mutant(
         "the phase of the forcing goes the long way round",
         "solver/orbit/errors.py",
-        "turn = math.remainder(found.angle - angle, 2 * math.pi)",
-        "turn = found.angle - angle",
+        "turn = math.remainder(motion.angle - angle, 2 * math.pi)",
+        "turn = motion.angle - angle",
         (f"{ORBITS}::test_errors_of_the_forcing_phase_go_the_short_way_round",),
     ),
     Mutant(
@@ -229,7 +229,7 @@ MUTANTS = (
     Mutant(
         "of the paper: (22) is integrated over the jumps of the orbit",
         "solver/orbit/errors.py",
-        "(_switches(found), _switches(reference))",
+        "(_switches(motion), _switches(reference))",
         "(_switches(reference), _switches(reference))",
         PAPER,
     ),
