@@ -192,7 +192,7 @@ def _unheld(rows: Matrix) -> Matrix:
     return np.asarray(Vh[(values > HELD).sum() :].T)
 
 
-def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vector:
+def under(cell: "BodyCell", phase: "BodyPhase", variables: Vector, sign: int) -> Vector:
     """Return the variables of forms behind a switch, by the laws of a phase.
 
     Parameters
@@ -200,13 +200,13 @@ def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vect
     cell : BodyCell
         With numbers for its memory.
     phase : BodyPhase
-    seen : ndarray, shape (S,)
+    variables : ndarray, shape (S,)
         What they are of before it.
     sign : int
         What the motion is multiplied by there.
     """
     body = free(cell.body, cell.omega, 0)
-    mirrored = np.where(np.arange(len(seen)) == 3, seen, sign * seen)
+    mirrored = np.where(np.arange(len(variables)) == 3, variables, sign * variables)
     forces = places(cell.body.at.shape[1])[2]
     rest = mirrored - body.by_force @ mirrored[forces]
     laws = law_matrix(phase)

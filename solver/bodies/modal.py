@@ -151,7 +151,9 @@ def modal(
     )  # fmt: skip
 
 
-def _static_shapes(left_out: Matrix, M: Any, K: Any, kept: Vector) -> tuple[Vector, Matrix]:
+def _static_shapes(
+    left_out: Matrix, M: Any, K: Any, compliances: Vector
+) -> tuple[Vector, Matrix]:
     """Return static answers as shapes with unit mass, and the squares of their frequencies.
 
     Parameters
@@ -159,7 +161,7 @@ def _static_shapes(left_out: Matrix, M: Any, K: Any, kept: Vector) -> tuple[Vect
     left_out : ndarray, shape (n, c)
         What the modes that are left out answer to a unit force at each contact.
     M, K : sparse array, shape (n, n)
-    kept : ndarray, shape (c,)
+    compliances : ndarray, shape (c,)
         By how much each contact gives way without them.
 
     Returns
@@ -169,7 +171,7 @@ def _static_shapes(left_out: Matrix, M: Any, K: Any, kept: Vector) -> tuple[Vect
     shapes : ndarray, shape (n, a)
     """
     stiff, mass = left_out.T @ (K @ left_out), left_out.T @ (M @ left_out)
-    strong = np.diag(stiff) > STIFF * kept
+    strong = np.diag(stiff) > STIFF * compliances
     sizes = np.sqrt(np.diag(stiff)[strong])
     values, vectors = np.linalg.eigh(stiff[np.ix_(strong, strong)] / np.outer(sizes, sizes))
     new = values > NEW

@@ -112,13 +112,13 @@ def kept_by_times(count: int) -> Callable[[AtTimes], AtTimes]:
 
     def keeping(function: AtTimes) -> AtTimes:
         @lru_cache(maxsize=count)
-        def kept(*given: Any) -> Any:
-            return function(*given[:-1], np.frombuffer(given[-1]))
+        def kept(*arguments: Any) -> Any:
+            return function(*arguments[:-1], np.frombuffer(arguments[-1]))
 
         @wraps(function)
-        def at(*given: Any) -> Any:
-            times = np.ascontiguousarray(given[-1], dtype=float)
-            return kept(*given[:-1], times.tobytes())
+        def at(*arguments: Any) -> Any:
+            times = np.ascontiguousarray(arguments[-1], dtype=float)
+            return kept(*arguments[:-1], times.tobytes())
 
         return at  # type: ignore[return-value]
 

@@ -52,9 +52,9 @@ def moved(case: Any, row: int, states: Complex, angle: float, turns: Vector) -> 
     return derivatives
 
 
-def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
-    """Fill J with the Jacobian of the residual; `found` is the result of `linear`."""
-    begins, (grown, a, Z, turn), (A, unknowns), (events, _), (carry, starts) = found
+def slopes(case: Any, times: Vector, system: Any, J: Matrix) -> None:
+    """Fill J with the Jacobian of the residual; `system` is the result of `linear`."""
+    begins, (grown, a, Z, turn), (A, unknowns), (events, _), (carry, starts) = system
     count, contacts, width = len(case.degrees), len(case.b), len(times)
     omega, s, first = case.numbers[0], case.s, count * (contacts + 1)
     angles_by = np.zeros((len(begins), width))  # derivatives of the angles by the times

@@ -118,42 +118,42 @@ def room(factors: Complex, which: Any) -> Complex:
     return zeros
 
 
-def upwards(k: Any, found: Complex) -> None:
+def upwards(k: Any, a: Complex) -> None:
     """Fill in ``a_m`` by its upward recurrence; at least two entries."""
     grown, inverse = np.exp(k), 1 / k
-    found[0] = moment_0(k, grown)
-    found[1] = moment_1(k, grown, found[0])
-    for m in range(1, len(found) - 1):
-        found[m + 1] = next_moment(m, inverse, found[m - 1], found[m])
+    a[0] = moment_0(k, grown)
+    a[1] = moment_1(k, grown, a[0])
+    for m in range(1, len(a) - 1):
+        a[m + 1] = next_moment(m, inverse, a[m - 1], a[m])
 
 
-def weighted(k: Any, found: Complex) -> None:
+def weighted(k: Any, A: Complex) -> None:
     """Fill in ``A_m`` by its downward recurrence; at least two entries."""
     after, current = 0 * k + 1, 0 * k + 1
-    for m in range(len(found) + BEYOND + int(largest(k) / 2), 0, -1):
+    for m in range(len(A) + BEYOND + int(largest(k) / 2), 0, -1):
         after, current = current, weighted_moment(m, k, current, after)
-        if m <= len(found):
-            found[m - 1] = current
-    by_unity = 1 / unity(k, found[0], found[1])
-    for m in range(len(found)):
-        found[m] = found[m] * by_unity
+        if m <= len(A):
+            A[m - 1] = current
+    by_unity = 1 / unity(k, A[0], A[1])
+    for m in range(len(A)):
+        A[m] = A[m] * by_unity
 
 
-def answers_upwards(k: Any, found: Complex) -> None:
+def answers_upwards(k: Any, b: Complex) -> None:
     """Fill in ``b_n = Z_(n+1)n/a_(n+1)`` by its upward recurrence; the last entry is unused."""
-    found[0] = answer_0(k)
-    found[1] = answer_1(k, found[0])
-    for n in range(1, len(found) - 2):
-        found[n + 1] = next_answer(n, found[0], found[n - 1], found[n])
+    b[0] = answer_0(k)
+    b[1] = answer_1(k, b[0])
+    for n in range(1, len(b) - 2):
+        b[n + 1] = next_answer(n, b[0], b[n - 1], b[n])
 
 
-def weighted_answers(k: Any, found: Complex) -> None:
+def weighted_answers(k: Any, B: Complex) -> None:
     """Fill in ``Z_(n+1)n/A_(n+1)``, by the upward recurrence of ``B_n``."""
-    found[0], found[1] = 1.0, weighted_answer_1(k)
-    for n in range(1, len(found) - 2):
-        found[n + 1] = weighted_answer(n, k, found[n - 1], found[n])
-    for n in range(len(found)):
-        found[n] *= weighted_response(n)
+    B[0], B[1] = 1.0, weighted_answer_1(k)
+    for n in range(1, len(B) - 2):
+        B[n + 1] = weighted_answer(n, k, B[n - 1], B[n])
+    for n in range(len(B)):
+        B[n] *= weighted_response(n)
 
 
 def responses(factors: Complex, w: Complex) -> Any:

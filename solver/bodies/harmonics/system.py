@@ -235,13 +235,13 @@ def _moved(
     return moved, shifted
 
 
-def along(found: Evaluation, p: int, u: Vector) -> Complex:
+def along(evaluation: Evaluation, p: int, u: Vector) -> Complex:
     """Return z of the whole motion at local times of phase p; shape (m, len(u))."""
-    frame = found.frame
+    frame = evaluation.frame
     begin, end = frame.ends[p : p + 2]
     w = (end - begin) * np.asarray(u, dtype=float)
-    harmonics = found.unknowns[: frame.waves].reshape(len(frame.turns), -1)
+    harmonics = evaluation.unknowns[: frame.waves].reshape(len(frame.turns), -1)
     waves = np.exp(1j * frame.turns[:, None] * (begin + w))
     answered = np.einsum("jm,mc,jc->mj", frame.above, frame.own.poles.b, harmonics)
-    factors = found.unknowns[frame.waves : frame.memory.start].real
+    factors = evaluation.unknowns[frame.waves : frame.memory.start].real
     return np.asarray(answered @ waves + np.tensordot(factors, frame.answers[p].at(w), 1))
