@@ -78,8 +78,8 @@ def solutions(case: Case) -> Iterator[ExactOrbit]:
                 yield solution
 
 
-def complete(cell: BodyCell, found: Sequence[ExactOrbit]) -> bool:
-    """Whether `found` provably has all solutions of a cell; known for one forced phase only.
+def complete(cell: BodyCell, orbits: Sequence[ExactOrbit]) -> bool:
+    """Whether `orbits` provably have all solutions of a cell; known for one forced phase only.
 
     False at a resonance, where periodicity and event do not determine the state.
     """
@@ -88,7 +88,7 @@ def complete(cell: BodyCell, found: Sequence[ExactOrbit]) -> bool:
     angles, are_all = _of_one_phase(cell)
     length = (cell.duration,)
     return are_all and all(
-        any(times_apart(q, length, angle) <= NEAR for q in found) for angle in angles
+        any(times_apart(q, length, angle) <= NEAR for q in orbits) for angle in angles
     )
 
 
@@ -169,8 +169,8 @@ def _starts(cell: BodyCell) -> Iterator[Iterable[RoughTimes]]:
         yield _scanned(cell)
 
 
-def _likely(cell: BodyCell, others: list[RoughTimes]) -> Iterator[RoughTimes]:
-    """Yield the starts whose events are nearest to zero; append the rest to `others`."""
+def _likely(cell: BodyCell, unlikely: list[RoughTimes]) -> Iterator[RoughTimes]:
+    """Yield the starts whose events are nearest to zero; append the rest to `unlikely`."""
     quick = slow(cell)
     for durations, starts in groupby(rough_times(cell), key=lambda start: start.durations):
         around = list(starts)
@@ -181,7 +181,7 @@ def _likely(cell: BodyCell, others: list[RoughTimes]) -> Iterator[RoughTimes]:
             if residuals[i - 1] > residuals[i] <= residuals[(i + 1) % len(residuals)]:
                 yield start
             else:
-                others.append(start)
+                unlikely.append(start)
 
 
 def _everywhere(cell: BodyCell) -> Iterator[RoughTimes]:

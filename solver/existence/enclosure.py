@@ -75,10 +75,10 @@ class Pieces:
     coefficients: Matrix
     resolved: bool
 
-    def taken(self, kept: Indices) -> "Pieces":
+    def taken(self, indices: Indices) -> "Pieces":
         """Return some of the pieces."""
-        starts, ends = self.starts[kept], self.ends[kept]
-        return Pieces(starts, ends, self.coefficients[:, kept], self.resolved)
+        starts, ends = self.starts[indices], self.ends[indices]
+        return Pieces(starts, ends, self.coefficients[:, indices], self.resolved)
 
 
 def roots(function: Function, edges: Vector) -> Roots:

@@ -135,10 +135,10 @@ def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:
     return orbits if len(orbits) < 2 else sorted(orbits, key=lambda q: is_stable(q) is not True)
 
 
-def _sorted(found: Iterable[ExactOrbit], complete: bool) -> Known:
-    found = list(found)
-    orbits = tuple(stable_first(q for q in found if q.admissible))
-    refused = tuple(q for q in found if not q.admissible)
+def _sorted(solutions: Iterable[ExactOrbit], complete: bool) -> Known:
+    solutions = list(solutions)
+    orbits = tuple(stable_first(q for q in solutions if q.admissible))
+    refused = tuple(q for q in solutions if not q.admissible)
     return Known(orbits, refused, complete and all(map(_is_none, refused)))
 
 

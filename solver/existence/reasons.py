@@ -56,11 +56,11 @@ def _no_solution(case: Case) -> str:
     return _resonance(case, first) or words
 
 
-def _refusals(found: Known) -> tuple[str, ...]:
+def _refusals(solutions: Known) -> tuple[str, ...]:
     """Return why each solution is not an orbit."""
-    several = len(found.refused[0].cell_durations) > 1
+    several = len(solutions.refused[0].cell_durations) > 1
     reasons = []
-    for orbit in found.refused:
+    for orbit in solutions.refused:
         name = orbit.case.cell.phases[0].name
         head = f"{name} {orbit.durations[0]:.4g} s, " if several else ""
         reasons.append(head + "; ".join(orbit.violations))

@@ -193,38 +193,38 @@ def _why_not(structure: Structure, name: str, value: object) -> str:
     return f" (without the attachment beta L is n pi: it is the bare {structure.bare})"
 
 
-def _unstable(found: Attached) -> list[str]:
+def _unstable(attached: Attached) -> list[str]:
     """Return the error of a negative stiffness at which the structure is unstable, if any."""
-    structure, q = found.structure, found.structure.attached
-    if structure.kind != "stiffness" or not np.isfinite(found.s):
+    structure, q = attached.structure, attached.structure.attached
+    if structure.kind != "stiffness" or not np.isfinite(attached.s):
         return []
-    if found.margin > LEAST_MARGIN:
+    if attached.margin > LEAST_MARGIN:
         return []
     return [
-        f"{q.name}: got {found.values[q.name]!r}, expected more than the critical stiffness "
-        f"{found.critical:.12g} {q.unit}, at which the {structure.bare} loses its stability"
+        f"{q.name}: got {attached.values[q.name]!r}, expected more than the critical stiffness "
+        f"{attached.critical:.12g} {q.unit}, at which the {structure.bare} loses its stability"
     ]
 
 
-def _extremes(found: Attached) -> list[str]:
+def _extremes(attached: Attached) -> list[str]:
     """Return the errors of numbers out of the range in which rounding is known."""
     errors = []
     with np.errstate(all="ignore"):
-        length, order = np.float64(found.length), 2 * found.structure.m
+        length, order = np.float64(attached.length), 2 * attached.structure.m
         units = {
-            "dimensionless strength": found.s,
-            "unit of frequency": found.frequency_unit,
+            "dimensionless strength": attached.s,
+            "unit of frequency": attached.frequency_unit,
             "unit of the highest derivative": 1 / length**order,
-            "unit of the internal force": found.restoring / length ** (order - 1),
-            "mass": length * found.values["mass_per_length"],
+            "unit of the internal force": attached.restoring / length ** (order - 1),
+            "mass": length * attached.values["mass_per_length"],
         }
         for what, value in units.items():
             if not np.isfinite(value) or value == 0:
                 errors.append(f"the {what} of these parameters is {value:g}, beyond float64")
-    if not errors and not LEAST <= abs(found.s) <= MOST:
-        name = found.structure.attached.name
+    if not errors and not LEAST <= abs(attached.s) <= MOST:
+        name = attached.structure.attached.name
         errors.append(
-            f"{name}: got {found.values[name]:g}, a dimensionless strength of {found.s:.3g}, "
-            f"expected one of a size from {LEAST:g} to {MOST:g}"
+            f"{name}: got {attached.values[name]:g}, a dimensionless strength of "
+            f"{attached.s:.3g}, expected one of a size from {LEAST:g} to {MOST:g}"
         )
     return errors

@@ -165,10 +165,10 @@ class Mode:
         """
         return self._of_beam("shear force", x, 3)
 
-    def _of_beam(self, what: str, x: npt.ArrayLike, derivative: int) -> Vector:
+    def _of_beam(self, name: str, x: npt.ArrayLike, derivative: int) -> Vector:
         """Return the bending stiffness of a beam times a derivative."""
         if self._attached.structure.m != 2:
-            raise ValueError(f"{what}: a {self._attached.structure.bare} has none")
+            raise ValueError(f"{name}: a {self._attached.structure.bare} has none")
         return self._attached.restoring * self.shape(x, derivative)
 
     @property
