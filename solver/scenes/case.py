@@ -222,19 +222,19 @@ def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
 
 
 def _checked(
-    scene: "LoadedScene", given: Mapping[str, object]
+    scene: "LoadedScene", numbers: Mapping[str, object]
 ) -> tuple[dict[str, float], list[str]]:
     """Return all parameters by name, in order, and the errors in those that are given."""
     names = tuple(parameter.name for parameter in scene.parameters)
     errors = []
-    for name in given:
+    for name in numbers:
         if name not in names:
             meant = " or ".join(nearest(name, names))
             hint = f"did you mean {meant}?" if meant else f"expected {', '.join(names)}"
             errors.append(f"{name}: not a parameter of {scene.name}; {hint}")
     checked = {}
     for parameter in scene.parameters:
-        value = given.get(parameter.name, parameter.default)
+        value = numbers.get(parameter.name, parameter.default)
         if is_number(value) and parameter.allows(float(value)):  # type: ignore[arg-type]
             checked[parameter.name] = float(value)  # type: ignore[arg-type]
         else:

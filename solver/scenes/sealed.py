@@ -80,10 +80,10 @@ def read_any(folder: Path) -> Kept | None:
     return below(read(folder.parent), folder.name) if (folder.parent / SEAL).exists() else None
 
 
-def below(kept: Kept, name: str) -> Kept:
+def below(contents: Kept, name: str) -> Kept:
     """Return the content of the folder `name` within a folder."""
     start = f"{name}/"
-    return {q.removeprefix(start): kept[q] for q in kept if q.startswith(start)}
+    return {q.removeprefix(start): contents[q] for q in contents if q.startswith(start)}
 
 
 def _content(path: Path) -> bytes:
@@ -121,13 +121,15 @@ def check_private(path: Path, like: Path | None = None) -> None:
     check_status(path, path.stat(), like.stat() if like else None)
 
 
-def check_status(path: Path, there: os.stat_result, like: os.stat_result | None = None) -> None:
+def check_status(
+    path: Path, status: os.stat_result, like: os.stat_result | None = None
+) -> None:
     """Check the same as `check_private`, with the status of the file that the path leads to."""
-    owners = {there.st_uid, path.lstat().st_uid}
+    owners = {status.st_uid, path.lstat().st_uid}
     if not hasattr(os, "getuid"):
         return
     trusted, allowed = ({like.st_uid}, like.st_mode) if like else (set(), 0)
     if owners - trusted - {os.getuid()}:
         raise NotPrivate(errno.EPERM, "belongs to another user", str(path))
-    if there.st_mode & OTHERS & ~allowed:
+    if status.st_mode & OTHERS & ~allowed:
         raise NotPrivate(errno.EPERM, "may be written by others", str(path))

@@ -57,35 +57,35 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
     return True
 
 
-def _row(there: InState, form: Form) -> Vector:
+def _row(state: InState, form: Form) -> Vector:
     """Return a form in the coordinates of the state; it may lack those of the memory."""
-    return np.asarray(np.array(form) @ there.rows[: len(form)], dtype=float)
+    return np.asarray(np.array(form) @ state.rows[: len(form)], dtype=float)
 
 
-def _of_velocity(there: InState, speed: float) -> Vector:
+def _of_velocity(state: InState, speed: float) -> Vector:
     """Return the form that vanishes where the velocity is `speed`."""
-    row = there.rows[1].copy()
-    row[there.one] -= speed
+    row = state.rows[1].copy()
+    row[state.one] -= speed
     return np.asarray(row, dtype=float)
 
 
-def _known(node: Node, there: InState) -> Matrix:
+def _known(node: Node, state: InState) -> Matrix:
     """Return the forms that vanish in every state just behind the event of a phase."""
     phase, rows = node.phase, []
     jumps = node.changes_velocity
     if not (jumps and phase.event[1]):
-        rows.append(_row(there, phase.event))
+        rows.append(_row(state, phase.event))
     if phase.held or (phase.rho == 0 and jumps):
         after = phase.rho * phase.speed + phase.d if phase.held else phase.d
-        rows.append(_of_velocity(there, after))
-    return np.array(rows or [np.zeros(there.rows.shape[1])])
+        rows.append(_of_velocity(state, after))
+    return np.array(rows or [np.zeros(state.rows.shape[1])])
 
 
-def _constant(row: Vector, known: Matrix, one: int) -> float | None:
+def _constant(row: Vector, forms: Matrix, one: int) -> float | None:
     """Return the value of a form where known forms vanish; None if it depends on the state."""
     varying = [i for i in range(len(row)) if i != one]
-    sizes = np.abs(known).max(axis=1, keepdims=True)
-    scaled = known / np.where(sizes > 0, sizes, 1.0)
+    sizes = np.abs(forms).max(axis=1, keepdims=True)
+    scaled = forms / np.where(sizes > 0, sizes, 1.0)
     weights = np.linalg.lstsq(scaled[:, varying].T, row[varying])[0]
     remainder = row - weights @ scaled
     size = max(float(np.abs(row).max()), float(np.abs(weights).max()))

@@ -137,9 +137,9 @@ def _crossings(cell: BodyCell) -> Iterator[Vector]:
             yield np.array([*(spans / cell.omega), first % (2 * math.pi)])
 
 
-def _keeps(phase: BodyPhase, seen: Complex, angle: float, force: list[int]) -> bool:
+def _keeps(phase: BodyPhase, response: Complex, angle: float, force: list[int]) -> bool:
     """Whether the linear response meets the demands of a phase at an angle of the forcing."""
-    forms = [_at_no_part(phase, form, force) @ seen for _, form in phase.demands]
+    forms = [_at_no_part(phase, form, force) @ response for _, form in phase.demands]
     turn = np.exp(1j * angle)
     return all(
         (wave * turn + constant).real >= -ROUNDING * (abs(wave) + abs(constant))

@@ -237,23 +237,27 @@ def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     return Settled(None, f"a simulation settles on {what}: {names}{within}", other)
 
 
-def _no_order(cell: Cell, own: tuple[Segment, ...]) -> str:
+def _no_order(cell: Cell, segments: tuple[Segment, ...]) -> str:
     """Return in words why repeated phases are no order of a scene; empty if they are one."""
     called = [phase.name for phase in cell.phases]
-    for q in own:
+    for q in segments:
         if q.step is None:
             return f"{q.began.called(called)} ends there, but not by its event"
-    missing = {q.phase for q in cell.memory} - {q.named.phase for q in own}
+    missing = {q.phase for q in cell.memory} - {q.named.phase for q in segments}
     return next((f"{called[p]}, which sets a memory, is not among them" for p in missing), "")
 
 
-def _in_order(cell: Cell, own: tuple[Segment, ...], cycles: int) -> Other:
+def _in_order(cell: Cell, segments: tuple[Segment, ...], cycles: int) -> Other:
     """Return repeated phases as an order, with the times of its cell."""
-    order, half = Order(tuple(q.named for q in own)), len(own) // 2
-    if all(_alike(one.s, two.s) for one, two in zip(own[:half], own[half:], strict=False)):
+    order, half = Order(tuple(q.named for q in segments)), len(segments) // 2
+    if all(
+        _alike(one.s, two.s) for one, two in zip(segments[:half], segments[half:], strict=False)
+    ):
         order = half_if_mirrored(cell, order)  # the motion, not only its order
-    own = own[: len(order.steps)]
-    times = RoughTimes(tuple(q.s for q in own), own[0].angle, "the times of a simulation")
+    segments = segments[: len(order.steps)]
+    times = RoughTimes(
+        tuple(q.s for q in segments), segments[0].angle, "the times of a simulation"
+    )
     return Other(order, times, cycles)
 
 

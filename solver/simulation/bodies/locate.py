@@ -136,13 +136,13 @@ def first_below(kinds: Integers) -> int:
 
 
 def first_zero_of(
-    along: Along, here: Matrix, there: Matrix, kinds: Integers, a: float, b: float
+    along: Along, start: Matrix, end: Matrix, kinds: Integers, a: float, b: float
 ) -> tuple[float, int, int]:
     """Return the first zero of the forms that decrease throughout an interval."""
     first, form = inf, 0
     for f in range(len(kinds)):
         if kinds[f] == FALLING:
-            zero = zero_of(along, f, a, b, cubic_of(here[f], there[f]))
+            zero = zero_of(along, f, a, b, cubic_of(start[f], end[f]))
             first, form = (zero, f) if zero < first else (first, form)
     return first, EVENT, form
 
@@ -157,9 +157,9 @@ def departs(along: Along, f: int, most: float) -> float:
     return min(most, float(along.rate[f]) / (2 * bound)) if bound != 0 else most
 
 
-def cubic_of(here: Vector, there: Vector) -> tuple[float, float, float, float]:
+def cubic_of(start: Vector, end: Vector) -> tuple[float, float, float, float]:
     """Return values and slopes at both ends of an interval."""
-    return float(here[0]), float(there[0]), float(here[1]), float(there[1])
+    return float(start[0]), float(end[0]), float(start[1]), float(end[1])
 
 
 def kind_of(
