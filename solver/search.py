@@ -131,24 +131,26 @@ class Search:
             orbit = self.less_smooth(orbit, times)
         return orbit if orbit.confirmed else None
 
-    def note(self, found: Solution) -> Orbit:
+    def note(self, solution: Solution) -> Orbit:
         """Return a result with the iterations of all starts; if it failed, note the reason."""
-        total = self.iterations + found.outcome.iterations
-        orbit = Orbit.of(replace(found, iterations=total))
+        total = self.iterations + solution.outcome.iterations
+        orbit = Orbit.of(replace(solution, iterations=total))
         self.count(orbit)
         return orbit
 
-    def count(self, found: Solution) -> None:
+    def count(self, solution: Solution) -> None:
         """Count the iterations of a result; if it failed, note the reason.
 
         Of a coarse result only its own violations count: its exact neighbour is not computed.
         """
-        self.iterations += found.outcome.iterations
-        why = "" if found.converged else found.outcome.reason
-        complete = isinstance(found, Orbit)
-        why = why or "; ".join(found.violations if complete else found.own_violations)
+        self.iterations += solution.outcome.iterations
+        why = "" if solution.converged else solution.outcome.reason
+        complete = isinstance(solution, Orbit)
+        why = why or "; ".join(solution.violations if complete else solution.own_violations)
         if why:
-            self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
+            self.tried.append(
+                f"from {self.words}: {solution.method}, N = {solution.order}: {why}"
+            )
 
     def less_smooth(self, failed: Orbit, times: Vector) -> Orbit:
         """Return the orbit by functions of class C^1, if the smoother method is singular.

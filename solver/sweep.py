@@ -106,9 +106,9 @@ def _row(case: Case, method: str, order: int, functions: int | None) -> SweepRow
     )  # fmt: skip
 
 
-def _several(name: str, values: object, what: str) -> list[Any]:
+def _several(name: str, values: object, expected: str) -> list[Any]:
     """Return values as a list; raise a `ValueError` if they are no sequence, or empty."""
     items = [*values] if isinstance(values, Iterable) and not isinstance(values, str) else []
     if not items:
-        raise ValueError(f"{name}: got {values!r:.80}, expected {what} in a sequence")
+        raise ValueError(f"{name}: got {values!r:.80}, expected {expected} in a sequence")
     return items

@@ -149,11 +149,11 @@ def exact_kernel(cell: Cell) -> Kernel:
         forced=cell.forced,
         lowest=1,
         size=lambda order: 3 * count + len(cell.memory) + cell.forced,
-        residual=lambda own, z, R: of["residual"](arrays(own), z, R),
-        jacobian=lambda own, z, J: of["jacobian"](arrays(own), z, J),
+        residual=lambda case, z, R: of["residual"](arrays(case), z, R),
+        jacobian=lambda case, z, J: of["jacobian"](arrays(case), z, J),
         motion=motion,
         coefficients=lambda z: {"states": (z[: 2 * count], 0)},
-        iterate=lambda own, z, limit: of["iterate"](arrays(own), z, limit),
+        iterate=lambda case, z, limit: of["iterate"](arrays(case), z, limit),
         account=None if account.is_compiled else account,
     )
 

@@ -99,8 +99,8 @@ def _seal(impl: Any, hash_of: Callable[[bytes], str]) -> None:
         content = as_bytes(reduce(result))
         return hash_of(content), content
 
-    def checked(context: Any, kept: tuple[str, bytes]) -> Any:
-        digest, content = kept
+    def checked(context: Any, entry: tuple[str, bytes]) -> Any:
+        digest, content = entry
         if digest != hash_of(content):
             raise ValueError("not what was kept")
         return rebuild(context, pickle.loads(content))

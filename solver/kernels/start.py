@@ -94,19 +94,19 @@ def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Ve
 
 
 def solved(
-    kernel: Kernel, given: Any, size: int, times: Vector, limit: int = ITERATION_LIMIT
+    kernel: Kernel, arguments: Any, size: int, times: Vector, limit: int = ITERATION_LIMIT
 ) -> Outcome:
     """Return the outcome of Newton's method from rough times; see `with_coefficients`."""
     if kernel.condensed:
         z = np.concatenate([np.zeros(size - len(times)), times])
     else:
-        z = with_coefficients(kernel, given, size, times)
-    outcome = newton(kernel.iterate, given, z, limit)
+        z = with_coefficients(kernel, arguments, size, times)
+    outcome = newton(kernel.iterate, arguments, z, limit)
     if not kernel.condensed or kernel.signals:  # of a body, times are the only unknowns
         return outcome
     R = np.empty(size)
     with np.errstate(all="ignore"):
-        kernel.residual(given, outcome.unknowns, R)
+        kernel.residual(arguments, outcome.unknowns, R)
     return replace(outcome, residual_norm=float(np.abs(R).max()))
 
 

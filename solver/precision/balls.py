@@ -85,15 +85,15 @@ def rising(x: int, k: int) -> int:
     return prod(range(int(x), int(x + k)))
 
 
-def as_balls(given: Any) -> Any:
+def as_balls(argument: Any) -> Any:
     """Return the first argument of a kernel's functions with balls in place of floats."""
-    if isinstance(given, tuple):
-        return tuple(map(as_balls, given))
-    if isinstance(given, np.ndarray) and given.dtype == float:
-        return np.array([arb(q) for q in given.ravel().tolist()], dtype=object).reshape(
-            given.shape
+    if isinstance(argument, tuple):
+        return tuple(map(as_balls, argument))
+    if isinstance(argument, np.ndarray) and argument.dtype == float:
+        return np.array([arb(q) for q in argument.ravel().tolist()], dtype=object).reshape(
+            argument.shape
         )
-    return given
+    return argument
 
 
 class _Arrays:

@@ -193,35 +193,37 @@ def at(
             yield _of_method(kept, exact, name, order)
 
 
-def _of_method(kept: Kept, exact: ExactOrbit, method: str, order: int) -> Kept:
+def _of_method(measured: Kept, exact: ExactOrbit, method: str, order: int) -> Kept:
     """Return the accuracy of a method, started from the times of the exact orbit."""
     case = exact.case
     functions = number_of_functions(case, method, None)
     kernel = registry.kernel(case.scene, method, functions)
     if order < kernel.lowest:
-        return kept
+        return measured
     outcome = attempt(kernel, case, order, kernel.times(exact.outcome.unknowns), functions)
-    kept = replace(kept, iterations=outcome.iterations)
+    measured = replace(measured, iterations=outcome.iterations)
     if not (outcome.converged and outcome.admissible):
-        return kept
-    return _against_balls(kept, case, kernel, kernel.given(case, order), outcome.unknowns)
+        return measured
+    return _against_balls(measured, case, kernel, kernel.given(case, order), outcome.unknowns)
 
 
-def _against_balls(kept: Kept, case: Case, kernel: Kernel, arguments: Any, z: Vector) -> Kept:
+def _against_balls(
+    measured: Kept, case: Case, kernel: Kernel, arguments: Any, z: Vector
+) -> Kept:
     """Return a measurement with the error of a solution of a kernel's equations, by balls."""
     z = _unknowns(case, kernel, z)
     J = np.empty((len(z), len(z)))
     kernel.jacobian(arguments, z, J)
-    kept = replace(kept, condition=float(np.linalg.cond(equilibrated(J))))
+    measured = replace(measured, condition=float(np.linalg.cond(equilibrated(J))))
     try:
-        precise = refine(kernel, arguments, z, DIGITS, in_balls(case, kept.method))
+        precise = refine(kernel, arguments, z, DIGITS, in_balls(case, measured.method))
     except PrecisionError:
-        return kept
+        return measured
     errors = [float(abs(a - float(b))) for a, b in zip(precise, kernel.times(z), strict=True)]
     if case.cell.forced:
         errors[-1] /= case.cell.omega
     period = float(np.sum(kernel.split(z)[0])) * case.cell.cells
-    return replace(kept, status="ok", error=max(errors) / period)
+    return replace(measured, status="ok", error=max(errors) / period)
 
 
 def _unknowns(case: Case, kernel: Kernel, z: Vector) -> Vector:

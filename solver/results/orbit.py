@@ -22,10 +22,10 @@ class Orbit(Solution):
     """A periodic orbit of a case, computed by one method at one order."""
 
     @classmethod
-    def of(cls, found: Solution) -> "Orbit":
+    def of(cls, solution: Solution) -> "Orbit":
         """Return a solution as the orbit that users of its case get."""
-        values = {q.name: getattr(found, q.name) for q in fields(found)}
-        return found.case.presented(cls(**values))
+        values = {q.name: getattr(solution, q.name) for q in fields(solution)}
+        return solution.case.presented(cls(**values))
 
     @property
     def further(self) -> Mapping[str, float]:

@@ -201,9 +201,9 @@ def laws(phase: "BodyPhase") -> Balls:
     return rows
 
 
-def closed(own: Forms, law: Forms) -> Forms:
+def closed(forms: Forms, law: Forms) -> Forms:
     """Return forms with the contact forces eliminated by their laws."""
-    return own.less(solved(law.direct.T, own.direct.T).T, law)
+    return forms.less(solved(law.direct.T, forms.direct.T).T, law)
 
 
 def impulses(cell: "BodyCell", p: int) -> tuple[list[int], Balls, Balls, Balls]:

@@ -67,7 +67,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
         R[count] = sum(times[:count], arb(0)) - body.duration
 
 
-def _tested(law: Forms, piece: Piece, drive: Balls, own: Any, at: int) -> tuple[Balls, Balls]:
+def _tested(law: Forms, piece: Piece, drive: Balls, plan: Any, at: int) -> tuple[Balls, Balls]:
     """Return rows and right sides of the laws on a piece, tested with polynomials."""
     contacts, rows, right = len(law.poles), [], []
     for n, states in enumerate(piece.tested(len(drive))):
@@ -75,7 +75,7 @@ def _tested(law: Forms, piece: Piece, drive: Balls, own: Any, at: int) -> tuple[
         columns = slice(at + n * contacts, at + (n + 1) * contacts)
         row[:, columns] = row[:, columns] + law.direct / (2 * n + 1)
         if n == 0:
-            row[:, own.memory] = row[:, own.memory] + law.memory
+            row[:, plan.memory] = row[:, plan.memory] + law.memory
             offset = offset + law.constant
         rows.append(row)
         right.append(-offset)
