@@ -218,10 +218,10 @@ def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Comple
     rotations = residual / np.where(gaps == 0, 1.0, gaps) - np.diag(np.diag(residual))
     counts = np.abs(rotations).max(axis=0, initial=0.0) < TURN
     corrections = np.where(counts, np.vstack([np.diag(residual), vectors @ rotations]), 0.0)
-    pairs = np.vstack([poles, vectors]) + corrections.astype(complex)
-    pairs.imag[:, poles.imag == 0] = 0.0
-    pairs[:, poles.imag < 0] = pairs[:, poles.imag > 0].conj()  # pairs stay pairs
-    return pairs[0], pairs[1:]
+    eigenpairs = np.vstack([poles, vectors]) + corrections.astype(complex)
+    eigenpairs.imag[:, poles.imag == 0] = 0.0
+    eigenpairs[:, poles.imag < 0] = eigenpairs[:, poles.imag > 0].conj()  # pairs stay pairs
+    return eigenpairs[0], eigenpairs[1:]
 
 
 def steady(poles: Complex, omega: float | Vector, t: float | Vector) -> Complex:
