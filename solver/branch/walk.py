@@ -215,4 +215,4 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
 #: What they are made of, and the functions.
 NUMBERS = joining, divided, responses, iteration, linear
 MODULES = (*NUMBERS, exact_system, cell_maps, watch, extended)
-FAMILY = Family(linked, MODULES, stepped)
+FAMILY = Family(linked, MODULES)

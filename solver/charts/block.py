@@ -34,9 +34,9 @@ def linked(branches: Family, equations: Any, make: linking.Make) -> dict[str, An
 
 
 #: The functions of maps for one mass, and for bodies.
-FAMILY = Family(partial(linked, walk.FAMILY), (*MODULES, walk, following), filling.fill)
+FAMILY = Family(partial(linked, walk.FAMILY), (*MODULES, walk, following))
 OF_BODIES = Family(
-    partial(linked, BODIES), (*BODIES.modules, walk, following), filling.fill, BODIES.seconds
+    partial(linked, BODIES), (*BODIES.modules, walk, following), seconds=BODIES.seconds
 )
 
 

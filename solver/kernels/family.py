@@ -25,15 +25,16 @@ class Family:
         ``link(module, make)`` returns the functions of a generated module and their solver.
     modules : tuple of module
         Modules that are compiled with it.
-    entry : function
-        The function whose compiled form is looked for in numba's cache.
+    entry : function, optional
+        The function whose compiled form stands for a whole kernel in numba's cache; without
+        one, each function that is called has its own account.
     seconds : float
         Time that compiling takes.
     """
 
     link: Callable[[ModuleType, Make], dict[str, Any]]
     modules: tuple[ModuleType, ...]
-    entry: Any
+    entry: Any = None
     seconds: float = COMPILE
 
     def account(self, method: str) -> Account:
@@ -64,10 +65,11 @@ class Family:
         )
 
     @cache  # noqa: B019
-    def account_of(self, name: str) -> Account:
-        """Return the account, one a process, of the module of a name."""
-        entry_name = f"{self.entry.__name__}_{self.fingerprint(name)}"
-        return Account(self.entry.__code__.co_filename, entry_name, self.seconds)
+    def account_of(self, name: str, function: str | None = None) -> Account:
+        """Return the account, one a process, of the module of a name or of a function of it."""
+        entry = self.entry if function is None else self.plain(name)[function]
+        entry_name = f"{entry.__name__}_{self.fingerprint(name)}"
+        return Account(entry.__code__.co_filename, entry_name, self.seconds)
 
     def fingerprint(self, name: str) -> str:
         """Return a hash of the text of all modules that are compiled with that of a name."""
@@ -79,9 +81,13 @@ class Family:
         return (self.compiled if self.account_of(name).pays() else self.plain)(name)
 
     def call(self, module: str, function: str, *arguments: Any) -> Any:
-        """Call a function of a module, compiled if that pays by now; count the time if not."""
-        account = self.account_of(module)
+        """Call a function of a module, compiled if that pays by now; count the time if not.
+
+        Each function has its own account: one that is called now and then is not compiled.
+        """
+        account = self.account_of(module, function)
         if account.pays():
+            account.is_compiled = True
             return self.compiled(module)[function](*arguments)
         with account.spending():
             return self.plain(module)[function](*arguments)
@@ -99,5 +105,6 @@ class Family:
     @cache  # noqa: B019
     def compiled(self, name: str) -> dict[str, Any]:
         """Return them compiled by numba, for calls from Python, cached if possible."""
-        self.account_of(name).is_compiled = True
+        if self.entry is not None:
+            self.account_of(name).is_compiled = True
         return Entries(self.inner(name))

@@ -58,7 +58,7 @@ def counting(make: linking.Make) -> linking.Make:
 
 
 #: The functions, linked as plain Python or compiled once plain ones have cost enough.
-FAMILY = Family(linked, (divided, responses, column, rules, *PARTS), step.step)
+FAMILY = Family(linked, (divided, responses, column, rules, *PARTS))
 
 
 def with_arrays(state: AnyState) -> AnyState:

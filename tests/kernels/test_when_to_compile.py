@@ -123,6 +123,24 @@ def test_a_scene_is_counted_and_switches(monkeypatch) -> None:
     Family.kernel.cache_clear()
 
 
+def test_a_function_that_is_called_now_and_then_is_not_compiled(monkeypatch) -> None:
+    family = Family(lambda module, make: {"double": double, "fourfold": fourfold}, ())
+    compiled = []
+
+    def entries(self, name):
+        compiled.append(name)
+        return dict.fromkeys(("double", "fourfold"), lambda x: "compiled")
+
+    monkeypatch.setattr(Family, "compiled", entries)
+    monkeypatch.setattr(Account, "total", 2 * COMPILE)
+    monkeypatch.setattr(family.account_of(__name__, "double"), "seconds", 2 * COMPILE)
+    assert family.call(__name__, "fourfold", 3.0) == 12.0
+    assert not compiled
+    assert family.call(__name__, "double", 3.0) == "compiled"
+    assert family.account_of(__name__, "double").is_compiled
+    assert not family.account_of(__name__, "fourfold").is_compiled
+
+
 def double(x):
     return 2 * x
 

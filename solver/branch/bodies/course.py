@@ -34,7 +34,7 @@ def linked(module: Any, make: linking.Make) -> dict[str, Any]:
 
 
 #: How they are made; see `branch.walk`.
-BODIES = Family(linked, (*walk.MODULES, *OWN), equations.case_at, seconds=20.0)
+BODIES = Family(linked, (*walk.MODULES, *OWN), seconds=20.0)
 
 
 class BodyCourse(Course):

@@ -48,7 +48,7 @@ def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
 
 
 #: The functions, linked as plain Python or compiled once plain ones have cost enough.
-FAMILY = Family(linked, (divided, *NUMBERS, *PARTS, *OWN), common_step.step, seconds=10.0)
+FAMILY = Family(linked, (divided, *NUMBERS, *PARTS, *OWN), seconds=10.0)
 
 
 @dataclass(frozen=True)
