@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -88,6 +89,7 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
     """
     from scipy.optimize import brentq  # noqa: PLC0415  (300 ms)
 
+    @cache
     def place_at(at: float) -> Place:
         return piece.stepped(before, at) if at else before
 
@@ -114,7 +116,7 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
         )
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
-    return at, piece.stepped(before, at)
+    return at, place_at(at)
 
 
 def estimated(event: Found, after: Place, length: float) -> Found:
