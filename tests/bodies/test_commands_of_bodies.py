@@ -41,6 +41,13 @@ def test_coordinates_are_not_expanded_and_it_says_why(run, command, method: str)
     assert "ck-tau" in said
 
 
+@pytest.mark.parametrize("command", ["solve", "sweep", "tradeoff", "digits", "report"])
+def test_a_body_without_an_eigenbasis_is_refused(run, tmp_path, command: str) -> None:
+    flags = ("-o", tmp_path / "page") if command == "report" else ()
+    said = refused(run, command, "absorber-friction", "--mass", 1e-30, *flags)
+    assert said.startswith("nonsmooth: body: two of its poles are one")
+
+
 def test_functions_of_harmonics_are_checked(run) -> None:
     said = refused(run, "solve", "chain-impact", "--method", "hb-ck", "--functions", 9)
     assert "functions" in said

@@ -18,7 +18,7 @@ from ..output import (
     write_folder,
     write_whole,
 )
-from ..problems import tell
+from ..problems import as_problems, tell
 from ..progress import busy, progress
 
 if TYPE_CHECKING:
@@ -137,7 +137,8 @@ def report_on(given: Given[Any], to: Destination) -> int:
     assert folder is not None
     check_folder(folder, FILES)
     try:
-        exact = exact_orbit(case)
+        with as_problems():
+            exact = exact_orbit(case)
     except NoOrbit as finding:
         tell(finding)
         return 1

@@ -62,7 +62,7 @@ def run(
         hint = "its field `extremes` names none, so that only these parameters are measured"
         say(f"{case.scene.name}: {hint}")
     total = len(cases) * (1 + len(names) * len(numbers))
-    with progress(total, "digits") as advance, wrong_values():
+    with progress(total, "digits") as advance, as_problems(), wrong_values():
 
         def done(kept: Kept) -> None:
             order = "" if kept.order is None else f", N = {kept.order}"

@@ -98,7 +98,7 @@ def trade(given: Given[LoadedScene], to: Destination) -> int:
     """Measure, show, write; the exit status."""
     case = case_from(given)
     try:
-        with progress(1 + len(measured.ways(case)), "tradeoff") as advance:
+        with as_problems(), progress(1 + len(measured.ways(case)), "tradeoff") as advance:
             result = measured.trade(case, advance)
     except NoOrbit as finding:
         tell(finding)
