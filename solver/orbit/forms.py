@@ -1,5 +1,7 @@
 """Linear forms in the state along a motion: demands, and the events that end phases."""
 
+import math
+
 import numpy as np
 
 from ..arrays import Vector
@@ -41,6 +43,6 @@ def vanishes_by_event(orbit: Motion, p: int, form: Form) -> bool:
     demand, event = np.array(form) * sizes, np.array(event_form) * sizes
     if not event.any() or not demand.any():
         return False
-    demand, event = demand / np.linalg.norm(demand), event / np.linalg.norm(event)
+    demand, event = demand / math.hypot(*demand), event / math.hypot(*event)  # no squares
     distance = min(np.linalg.norm(demand - event), np.linalg.norm(demand + event))
     return bool(distance <= EQUAL)

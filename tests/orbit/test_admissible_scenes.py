@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
+import nonsmooth as ns
 from nonsmooth.solver.exact import ExactOrbit, exact_orbit
 from nonsmooth.solver.existence.known import known
 from nonsmooth.solver.flow.exact_system import exact_kernel
@@ -205,3 +206,8 @@ def test_what_a_few_points_show_is_violated() -> None:
     assert all(orbit.violations for orbit in seen)
     assert found.orbits
     assert not any(map(is_seen_violated, found.orbits))
+
+
+def test_forms_whose_squares_are_beyond_float64_are_compared() -> None:
+    with pytest.raises(ns.NoOrbit, match="its event is crossed in the wrong direction"):
+        ns.exact(ns.scene("impact-inelastic")(frequency=1e150))
