@@ -157,6 +157,7 @@ class Flow:
         return np.asarray(forms.real)
 
 
+@np.errstate(over="ignore", invalid="ignore")  # then there is no eigenbasis
 def flow_of(lawful: Lawful, omega: float) -> Flow:
     """Return the flow of a phase.
 

@@ -74,12 +74,12 @@ def solutions(cell: Cell) -> Solutions:
         try:
             roots = enclosure.roots(determinants, cell.duration * _edges())
             complete = roots.complete and not _shorter(cell).any()
+            likely = _starts(cell, roots.places, roots.signs)
+            few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
+            pairs = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
+            doubtful = _starts(cell, *pairs)
         except (np.linalg.LinAlgError, FloatingPointError):
             return Solutions((), (), complete=False)
-        likely = _starts(cell, roots.places, roots.signs)
-        few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
-        pairs = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
-        doubtful = _starts(cell, *pairs)
         return Solutions(likely, doubtful, complete)
 
 

@@ -186,3 +186,17 @@ def test_a_motion_that_grows_beyond_floats_is_said_without_a_warning(
     falls = ns.scene(scene(K=stiffness))
     with pytest.raises(ns.NoOrbit, match="beyond float64"):
         ns.solve(falls(), order=10)
+
+
+@pytest.mark.parametrize(
+    ("name", "damping", "words"),
+    [
+        ("chain-impact", 1e150, "the motion in flight is beyond float64"),
+        ("jenkins-absorber", 1e30, "two of its poles are one"),
+    ],
+)
+def test_damping_beyond_floats_is_said_without_a_warning(
+    name: str, damping: float, words: str
+) -> None:
+    with pytest.raises((ns.NoOrbit, ValueError), match=words):
+        ns.exact(ns.scene(name)(damping=damping))

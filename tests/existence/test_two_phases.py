@@ -242,3 +242,9 @@ def test_a_short_slide_is_told_from_none(force, count):
     case = FRICTION(force=force).of_motion("two-stops")
     assert len(two_phases.solutions(case.cell).found) == count
     assert two_phases.vanishing(case.cell) == []
+
+
+def test_equations_beyond_float64_decide_nothing() -> None:
+    with pytest.raises(ns.NoOrbit) as raised:
+        exact_orbit(FRICTION(mass=1e-150, damping=1e9))
+    assert not raised.value.proven

@@ -196,6 +196,7 @@ def laws_of(regimes: Sequence[Regime]) -> Laws:
     )  # fmt: skip
 
 
+@np.errstate(over="ignore", invalid="ignore")  # said of the motion, if it matters
 def forms_of(regimes: Sequence[Regime], forms: Sequence[Matrix]) -> Forms:
     """Return the forms of each phase, shape (F, W) each, one behind another."""
     rates, rounding, by_poles = [], [], []
