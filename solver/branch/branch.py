@@ -140,6 +140,8 @@ def go(
             if orbit is not None and len(orbit[0].course.order.steps) > orbit[0].course.most:
                 segment.why = f"beyond, an orbit has more than {orbit[0].course.most} phases"
                 orbit = None
+        if orbit is not None:
+            segments[-1].why = f"{MOST_SEGMENTS} orders of phases are the most of a branch"
         if segments[-1].why == CLOSED:
             return
 

@@ -99,6 +99,13 @@ def events_in(
     return kept
 
 
+def shows_event(before: Place, after: Place) -> bool:
+    """Whether the monitors at the ends of a step show an event in it."""
+    start, end = before.monitors, after.monitors
+    watched = len(start) - OWN
+    return any(happens(start[i], end[i], i - watched) for i in range(len(start)))
+
+
 def _is_within(event: Found) -> bool:
     """Whether an event is within the range of the parameter, which a step may leave."""
     return abs(float(event.place.y[-1])) <= 1 + SAME

@@ -9,9 +9,10 @@ import numpy as np
 from ..arrays import Vector
 from ..scenes.parameter_error import ParameterError
 from .course import Course
-from .events import EDGE, events_in, in_turn
+from .events import EDGE, events_in, in_turn, shows_event
 from .locate import Found, estimated
 from .meeting import meeting, met, shorter
+from .orders.change import begun_anew
 from .piece import NoStepError, Piece, Place, unit_of
 from .walk import EVENT, GROWN, LEAST_STEP, STUCK
 
@@ -26,6 +27,9 @@ NEAR = 1.0
 
 #: How far ahead, as a part of the range, the parameters are checked where no step succeeds.
 AHEAD = 1e-6
+
+#: Why a walk is cut: it has come back to the first orbit of the branch.
+CLOSES = -1
 
 #: Why a branch ends.
 CLOSED, RANGE = "the branch is closed", "the end of the range"
@@ -71,27 +75,30 @@ def follow(
     """
     (piece, place), length = segment.points[-1], FIRST
     longest = part * (piece.bounds[1] - piece.bounds[0])
-    half = shorter(piece)
+    half, origins = shorter(piece), begun_anew(*first, piece.course)
     if piece.ends_at(place.y) and place.y[-1] * place.tangent[-1] > 0:
         segment.why = RANGE
     while len(segment.points) < most and not segment.why:
         places, lengths, why, length = piece.walk(place, length, longest, ROOM)
-        closed = _closed(first, piece, places, lengths)
-        if closed is not None and segment.points[-1] != first:
-            segment.points += [(piece, each) for each in places[: closed + 1]]
-            segment.why = CLOSED
-            return
+        begins = segment.points[-1] == first
+        closed = _closed(first[0], origins, piece, [place, *places], lengths, begins)
+        if closed is not None:
+            places, lengths, why = closed
         if half is not None and _meets(segment, half, piece, [place, *places], lengths, why):
             return
         smooth = places[:-1] if why == EVENT else places
         segment.points += [(piece, each) for each in smooth]
         place = segment.points[-1][1]
         progress(piece.value(place.y))
-        if why == STUCK:
+        if why == CLOSES:
+            segment.why = CLOSED
+        elif why == STUCK:
             segment.why = _why_stuck(piece, place)
         elif why == EVENT:
             try:
                 piece, place = _pass(segment, piece, place, places[-1], float(lengths[-1]))
+                if closed is not None and place is places[-1]:
+                    segment.why = CLOSED
             except ArithmeticError:
                 length = float(lengths[-1]) / 2
                 segment.why = "" if length > LEAST_STEP else _why_stuck(piece, place)
@@ -173,18 +180,48 @@ def _pass(
 
 
 def _closed(
-    first: tuple[Piece, Place], piece: Piece, places: list[Place], lengths: Vector
-) -> int | None:
-    """Return the number of the step that passes the first orbit of a branch again, if any."""
-    first_piece, place = first
-    if piece.course != first_piece.course or not places:
+    first: Piece, origins: list[Vector], piece: Piece, places: list[Place], lengths: Vector,
+    begins: bool,
+) -> tuple[list[Place], Vector, int] | None:  # fmt: skip
+    """Return a walk up to the first orbit of a branch, if it comes back there; else None.
+
+    Parameters
+    ----------
+    first : Piece
+        Of that orbit.
+    origins : list of ndarray
+        Its unknowns, begun at different phases.
+    piece, places, lengths
+        The orbits of the walk and where it begins, and the lengths of its steps.
+    begins : bool
+        Whether it begins at the first orbit of the branch.
+
+    Returns
+    -------
+    places, lengths, why
+        See `Piece.walk`; the last step ends at the first orbit.
+    """
+    passed: list[tuple[int, Vector]] = []
+    behind = np.array([place.y for place in places[1:]])
+    for unknowns in origins if len(behind) else []:
+        origin = np.tile(in_units(first, piece, unknowns), (len(behind), 1))
+        if piece.cell.forced:  # a whole turn later the forcing is the same
+            turns = np.round((behind[:, -2] - origin[:, -2]) / (2 * np.pi))
+            origin[:, -2] += 2 * np.pi * turns
+        offsets = (behind - origin) * piece.along.weights
+        ahead = (offsets * np.array([other.tangent for other in places[1:]])).sum(axis=1)
+        is_near = np.linalg.norm(offsets, axis=1) <= NEAR * lengths
+        steps = np.flatnonzero(is_near & (ahead >= 0) & (ahead <= lengths)).tolist()
+        passed += [(i, origin[i]) for i in steps if i >= begins]
+    if not passed:
         return None
-    origin = in_units(first_piece, piece, place.y)
-    offsets = (np.array([other.y for other in places]) - origin) * piece.along.weights
-    ahead = (offsets * np.array([other.tangent for other in places])).sum(axis=1)
-    is_near = np.linalg.norm(offsets, axis=1) <= NEAR * lengths
-    passed = np.flatnonzero(is_near & (ahead >= 0) & (ahead <= lengths))
-    return int(passed[0]) if len(passed) else None
+    i, y = min(passed, key=lambda each: each[0])
+    before, last, why = places[i], places[i + 1], CLOSES
+    with suppress(NoStepError):
+        last = piece.place(piece.corrected(y, before.tangent), before.tangent)
+        why = EVENT if shows_event(before, last) else CLOSES
+    length = float(before.tangent @ ((last.y - before.y) * piece.along.weights))
+    return [*places[1 : i + 1], last], np.append(lengths[:i], length), why
 
 
 def in_units(other: Piece, piece: Piece, y: Vector) -> Vector:

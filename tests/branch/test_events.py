@@ -228,6 +228,30 @@ def test_an_island_is_a_closed_branch() -> None:
             assert row.multipliers[0] == pytest.approx(1.0, abs=1e-6)
 
 
+@pytest.mark.parametrize("before", [1e-9, 1e-7, 1e-5, 1e-3])
+def test_an_island_has_both_folds_wherever_it_begins(before: float) -> None:
+    case = ns.scene("clearance")(force=0.5, damping=0.05, gap=0.5, cycles=2)
+    for orbit in known_orbits(case.with_value("frequency", 2.49631532884920 - before)):
+        branch = ns.branch(case, "frequency", 1.0, 6.0, start=orbit)
+        assert branch.why_it_ended == ("the branch is closed",) * 2
+        assert [event.kind for event in branch.events] == ["fold", "fold"]
+
+
+def test_an_island_is_closed_whichever_phase_its_orbit_begins_with() -> None:
+    case = ns.scene("clearance")(
+        force=1.1, damping=0.061, gap=0.39, contact_stiffness=4.2, frequency=2.05, cycles=2
+    )
+    order = "contact,separated,contact,separated"
+    start = ns.solve(case, phases=order, method="ck-tau", order=10)
+    branch = ns.branch(case, "frequency", 1.0, 6.0, start=start)
+    assert branch.why_it_ended == ("the branch is closed",) * 2
+    kinds = sorted(event.kind for event in branch.events)
+    assert kinds == ["fold", "fold", "grazing", "grazing"]
+    assert branch[0].value == pytest.approx(branch[-1].value, abs=1e-9)
+    durations = (sorted(branch[i].durations) for i in (0, -1))  # from another phase on
+    assert next(durations) == pytest.approx(next(durations), abs=1e-6)
+
+
 def test_once_a_period_it_is_where_a_simulation_settles() -> None:
     branch, _ = response("clearance")
     rows = [row for row in branch if row.stable and 0.5 < row.value < 1.13]

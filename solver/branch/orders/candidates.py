@@ -106,14 +106,18 @@ class AtEvent:
 
         If none fits, it begins with a phase that is not mirrored, if there is one.
         """
-        rotations = [candidate]
-        for _ in range(
-            0 if candidate.endless else len(candidate.slots) * (2 if candidate.half else 1) - 1
-        ):
-            rotations.append(self._turned(rotations[-1]))
+        rotations = list(self.rotations(candidate))
         plain = (each for each in rotations if not each.slots[0].step.mirrored)
         declared = (each for each in rotations if each.course(self.course).declared is not None)
         return next(declared, next(plain, candidate))
+
+    def rotations(self, candidate: Candidate) -> Iterator[Candidate]:
+        """Yield a candidate, begun at each of its phases in turn."""
+        yield candidate
+        count = len(candidate.slots) * (2 if candidate.half else 1)
+        for _ in range(0 if candidate.endless else count - 1):
+            candidate = self._turned(candidate)
+            yield candidate
 
     def _turned(self, candidate: Candidate) -> Candidate:
         """Return a candidate rotated by one phase."""

@@ -3,7 +3,9 @@
 `candidates` proposes orders; the first with an admissible orbit a little beyond is taken.
 """
 
+from contextlib import suppress
 from dataclasses import replace
+from itertools import islice
 
 import numpy as np
 
@@ -70,6 +72,29 @@ def doubled(event: Found) -> tuple[Piece, Place] | None:
         except (NoStepError, ParameterError, ArithmeticError):
             continue
     return None
+
+
+def begun_anew(piece: Piece, place: Place, course: Course) -> list[Vector]:
+    """Return the unknowns of an orbit, begun at each phase from which its order is a given one.
+
+    Parameters
+    ----------
+    piece, place : Piece, Place
+        The orbit.
+    course : Course
+        The order.
+    """
+    found = [place.y] if course == piece.course else []
+    at_event = AtEvent(Found("", None, None, piece, place))
+    orbit = Candidate(
+        tuple(at_event.slots), at_event.half, at_event.angle, None, course.endless
+    )
+    for each in islice(at_event.rotations(orbit), 1, None):
+        if each.course(piece.course) == course:
+            with suppress(ArithmeticError):  # with a memory no state may belong to these times
+                z = _unknowns(at_event.event, course, each)
+                found.append(np.append(z, place.y[-1]))
+    return found
 
 
 def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place]:
