@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.codegen.scenes import chain_impact as impacts
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.solver import branches
 from nonsmooth.solver.bodies.motion import signals
 from nonsmooth.solver.branch.branch import go
@@ -236,3 +236,34 @@ def test_beyond_a_grazing_it_goes_on_whatever_the_units(size: float) -> None:
     assert grazing.kind == "grazing"
     assert grazing.parameter == pytest.approx(expected.parameter, rel=1e-9)
     assert found.why_it_ended == one.why_it_ended == ("the end of the range",) * 2
+
+
+def test_a_stick_on_a_belt_ends_where_the_linear_response_just_has_its_speed() -> None:
+    """Beyond, the mass slips for ever: its motion is at rest elsewhere than where it stuck."""
+    m, c, k, f, F, V, Omega = sp.symbols("m c k f F V Omega", positive=True)
+    load = F * forcing - k * x - c * V
+    stick = Phase(
+        "stick", a, held=V, ends=Event(f + load), demands={"it sticks": f - sp.Abs(load)}
+    )
+    slip = Phase(
+        "slip", a * m + c * v + k * x - F * forcing - f, ends=Event(v - V),
+        demands={"it is slower than the belt": V - v},
+    )  # fmt: skip
+    units = ("kg", 0.2355), ("N s/m", 0.0447), ("N/m", 1.6), ("N", 0.05), ("N", 1.379)
+    symbols = zip((m, c, k, f, F), units, strict=True)
+    values = [Parameter(str(q), q, unit, value, "a number") for q, (unit, value) in symbols]
+    values += [Parameter("V", V, "m/s", 0.67, "belt"), Parameter("W", Omega, "rad/s", 0.7, "W")]
+    belt = Scene(
+        "belt", "a driven mass on a belt", parameters=tuple(values), phases=(stick, slip),
+        frequency=Omega,
+    )  # fmt: skip
+    branch = ns.branch(ns.scene(belt)(), "k", 1.5, 1.9)
+    reach = np.sqrt((1.379 * 0.7 / 0.67) ** 2 - (0.0447 * 0.7) ** 2)
+    assert [event.kind for event in branch.events] == ["sticking"]
+    assert branch.events[0].parameter == pytest.approx(0.2355 * 0.7**2 + reach, rel=1e-12)
+    assert branch.why_it_ended == ("the end of the range",) * 2
+    assert branch[-1].motion == "slip"
+    amplitude = 1.379 / abs(1.9 - 0.2355 * 0.7**2 + 0.0447j * 0.7)
+    mean = 0.05 / 1.9
+    ends = mean - amplitude, mean + amplitude
+    assert branch[-1].extremes["displacement"] == pytest.approx(ends, rel=1e-12)
