@@ -83,7 +83,8 @@ def course_of(case: Case) -> Course:
     kind = BodyCourse if scene.has_body else Course
     if isinstance(scene, OrderedScene):
         return kind(scene.base, scene.order, case.cycles)
-    base = scene.whole.fullest
+    having = (q for q in scene.whole.each_motion if set(scene.phases) <= set(q.phases))
+    base = max(having, key=lambda each: len(each.phases))
     steps = tuple(Step(base.phases.index(name)) for name in scene.phases)
     return kind(base, Order(steps, scene.half_period), case.cycles)
 

@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.codegen.scenes import chain_impact as impacts
+from nonsmooth.codegen.scenes import clearance as springs
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.solver import branches
 from nonsmooth.solver.bodies.motion import signals
@@ -267,3 +268,27 @@ def test_a_stick_on_a_belt_ends_where_the_linear_response_just_has_its_speed() -
     mean = 0.05 / 1.9
     ends = mean - amplitude, mean + amplitude
     assert branch[-1].extremes["displacement"] == pytest.approx(ends, rel=1e-12)
+
+
+def test_a_branch_of_a_motion_with_a_phase_that_no_longer_motion_has() -> None:
+    """Far from the spring a mass that bounces off a stop is the scene `impact`."""
+    g, r = sp.symbols("g_2 r", positive=True)
+    hit = Phase(
+        "hit", springs.SEPARATED.equation, ends=Event(x + g, jump={v: -r * v}),
+        demands={"it is above the stop": x + g, **springs.SEPARATED.demands},
+    )  # fmt: skip
+    scene = replace(
+        springs.SCENE, name="spring-or-stop", phases=(), guess=(), extremes={},
+        motions={"spring": (springs.CONTACT, springs.SEPARATED), "stop": (hit,)},
+        parameters=(
+            *springs.SCENE.parameters,
+            Parameter("stop", g, "m", 0.1, "distance of the stop"),
+            Parameter("restitution", r, "", 0.6, "speed after over speed before"),
+        ),
+    )  # fmt: skip
+    numbers = {"damping": 0.1, "frequency": 1.8}
+    found = ns.branch(ns.scene(scene)(gap=50.0, **numbers), "frequency", 1.7, 1.9)
+    expected = ns.branch(ns.scene("impact")(gap=0.1, **numbers), "frequency", 1.7, 1.9)
+    assert {row.motion for row in found} == {"stop"}
+    for i in (0, -1):
+        assert found[i].multipliers == pytest.approx(expected[i].multipliers, rel=1e-9)
