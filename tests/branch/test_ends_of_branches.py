@@ -292,3 +292,23 @@ def test_a_branch_of_a_motion_with_a_phase_that_no_longer_motion_has() -> None:
     assert {row.motion for row in found} == {"stop"}
     for i in (0, -1):
         assert found[i].multipliers == pytest.approx(expected[i].multipliers, rel=1e-9)
+
+
+def test_a_branch_is_closed_where_the_angle_of_the_forcing_turns_round() -> None:
+    """Once around this island, the forcing is ahead by a cycle: the orbits are the same."""
+    M = np.diag([2.0, 1.5, 1.0])
+    K = np.array([[500.0, -200.0, 0.0], [-200.0, 350.0, -150.0], [0.0, -150.0, 150.0]])
+    g, omega = sp.symbols("g Omega", positive=True)
+    chain = Body(M=M, K=K, C=0.002 * K + 0.1 * M, forcing=[6, 0, 0], at={"tip": [0, 0, 1]})
+    tip = chain.at["tip"]
+    stop = Event(tip.x - g, jump={tip.v: -0.7 * tip.v})
+    flight = Phase("flight", tip.force, ends=stop, demands={"before the stop": g - tip.x})
+    gap = Parameter("gap", g, "m", 0.02, "displacement of the tip at the stop")
+    frequency = Parameter("frequency", omega, "rad/s", 5.8, "of the forcing")
+    scene = Scene(
+        "chain", "three masses and a stop", body=chain, frequency=omega,
+        parameters=(gap, frequency), phases=(flight,),
+    )  # fmt: skip
+    found = ns.branch(ns.scene(scene)(), "frequency", 4.0, 12.0)
+    assert found.why_it_ended == ("the branch is closed",) * 2
+    assert [event.kind for event in found.events] == ["grazing", "torus", "flip", "grazing"]
