@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from results_things import MAKERS, MOTIONS, thing
 
 import nonsmooth as ns
-from nonsmooth.plots.axes import LEAST, draw_errors
+from nonsmooth.plots.axes import LEAST, draw_errors, legend_above
 from nonsmooth.solver.scenes.methods import about
 
 
@@ -180,3 +180,22 @@ def test_a_long_simulation_is_drawn_by_fewer_points(axes) -> None:
     motion = ns.simulate(ns.scene("impact")(gap=1e3), cycles=10_000)
     motion.plot(axes)
     assert 200_000 <= len(axes.lines[0].get_xdata()) < 210_000
+
+
+@pytest.mark.parametrize("columns", [2, 5, 9])
+def test_a_legend_above_is_no_wider_than_its_figure(columns: int) -> None:
+    figure = Figure(figsize=(4, 3), layout="constrained")
+    axes = figure.subplots()
+    for i in range(7):
+        axes.plot([0, 1], [0, i], label=f"an entry of the legend, {i}")
+    legend_above(figure, axes, columns)
+    (legend,) = figure.legends
+    assert len(legend.texts) == 7
+    assert legend.get_window_extent().width <= figure.bbox.width
+
+
+def test_attractors_and_starts_without_one_are_in_the_legend(axes) -> None:
+    case = ns.scene("clearance")(force=0.3, damping=0.01, gap=1.0, frequency=1.2)
+    found = ns.basins(case, [-3.0, 3.0], [0.0], cycles=33)
+    found.plot(axes)
+    assert [line.get_label() for line in axes.lines] == ["not settled"]

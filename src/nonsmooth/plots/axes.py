@@ -96,8 +96,13 @@ def mark_values(axes: Any, values: Sequence[float], words: str, color: str) -> N
     if values:
         axes.plot(
             values, np.zeros(len(values)), "|", color=color, clip_on=False,
-            transform=axes.get_xaxis_transform(), label=words,
+            transform=axes.get_xaxis_transform(), **label_once(axes, words),
         )  # fmt: skip
+
+
+def label_once(axes: Any, name: str) -> dict[str, str]:
+    """Return the label of a line; none if another line has it already."""
+    return {} if name in {line.get_label() for line in axes.lines} else {"label": name}
 
 
 def draw_errors(axes: Any, orders: Any, errors: Any, **look: Any) -> None:
@@ -120,9 +125,17 @@ def say_below(figure: Figure, words: str) -> None:
 
 
 def legend_above(figure: Any, axes: Any, columns: int = 3) -> None:
-    """Put the legend of one pair of axes above a figure, where it covers no curve."""
+    """Put the legend of one pair of axes above a figure, where it covers no curve.
+
+    It has fewer columns where it would be wider than the figure.
+    """
     handles, labels = axes.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=columns, frameon=False)
+    place = {"loc": "outside upper center", "frameon": False}
+    legend = figure.legend(handles, labels, ncols=columns, **place)
+    while columns > 1 and legend.get_window_extent().width > figure.bbox.width:
+        legend.remove()
+        columns -= 1
+        legend = figure.legend(handles, labels, ncols=columns, **place)
 
 
 def write(figure: Callable[[], Figure], *targets: Path, look: Any = SETTINGS) -> None:

@@ -14,6 +14,7 @@ from .axes import (
     check_quantity,
     described,
     frame,
+    label_once,
     mark_values,
     say_below,
     typeset,
@@ -65,7 +66,7 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
             _lines(axes, result, column, look)
             _marks(axes, result, column)
         if quantity == "estimate":
-            axes.set_yscale("log")
+            _scale_errors(axes)
         axes.set_ylabel(QUANTITIES[quantity])
     missing = [row.value for row in result.rows if row.status != "ok"]
     mark_values(axes, missing, "no orbit", "0.4")
@@ -102,7 +103,7 @@ def _lines(axes: Any, result: "Family", values: "Vector", look: dict[str, Any]) 
         if len(set(along[run])) < len(run) and not result.in_turn:
             kind = {"linestyle": "", "marker": "." if stable else "1"}
         name = {True: "stable", False: "unstable", None: "neither, to rounding"}[stable]
-        axes.plot(along[run], values[run], **look | kind | _label(axes, name))
+        axes.plot(along[run], values[run], **look | kind | label_once(axes, name))
 
 
 def _runs(result: "Family") -> "Iterator[tuple[bool | None, list[int]]]":
@@ -132,13 +133,16 @@ def _marks(axes: Any, result: "Family", values: "Vector") -> None:
         hits = along == event.parameter  # two rows where the order of phases changes
         axes.plot(
             along[hits][:1], values[hits][:1], MARKS[event.kind], color="0.1", markersize=6,
-            markerfacecolor="none", **_label(axes, event.kind),
+            markerfacecolor="none", **label_once(axes, event.kind),
         )  # fmt: skip
 
 
-def _label(axes: Any, name: str) -> dict[str, str]:
-    """Return the label of a line; none if another line has it already."""
-    return {} if name in {line.get_label() for line in axes.lines} else {"label": name}
+def _scale_errors(axes: Any) -> None:
+    """Scale errors by their logarithm; of less than a decade more is shown: it is rounding."""
+    axes.set_yscale("log")
+    low, high = axes.get_ylim()
+    if high < 10 * low:
+        axes.set_ylim(low / 10, 10 * high)
 
 
 def name_of(scene: "LoadedScene", name: str) -> str:
@@ -189,7 +193,8 @@ def branch_figure(results: "Sequence[Branch]", diagrams: "Sequence[Diagram]" = (
     figure = Figure(figsize=(6, 6), layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
     for diagram in diagrams:
-        diagram.plot(upper, markersize=3, color="0.6")
+        look = label_once(upper, "simulated")
+        diagram.plot(upper, markersize=3, color="0.6", **look)
     for result in results:
         draw(result, upper, "strobe" if diagrams else "amplitude")
         draw(result, lower, "multiplier")

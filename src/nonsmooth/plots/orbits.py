@@ -70,6 +70,7 @@ def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:
         for axes, quantity in zip(panels, (PLANE, *HISTORIES), strict=True):
             draw(motion, axes, quantity)
     panels[0].set(title="periodic orbit")
+    panels[0].locator_params(axis="x", nbins=5)
     frame(figure, panels[0], described(motions[0].case))
     return figure
 

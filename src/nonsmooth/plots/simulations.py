@@ -138,6 +138,10 @@ def draw_basins(result: "Basins", ax: Any = None) -> Any:
             x, v, MARKS[i % len(MARKS)], color=colors[2 + i], markeredgecolor="black",
             label=f"{when}, x = {x[0]:.3g} m",
         )  # fmt: skip
+    for index, words in ((-1, "not settled"), (-2, "no motion from there")):
+        if (result.index == index).any():
+            square = {"marker": "s", "color": colors[2 + index], "markeredgecolor": "black"}
+            axes.plot([], [], linestyle="", label=words, **square)
     axes.set(xlabel="displacement [m]", ylabel="velocity [m/s]")
     if ax is None:
         legend_above(axes.figure, axes, 2)
@@ -151,6 +155,8 @@ def diagram_figure(result: "Diagram") -> Figure:
     draw_diagram(result, upper)
     draw_diagram(result, lower, "velocity")
     upper.set_xlabel("")
+    if upper.get_legend_handles_labels()[1]:
+        legend_above(figure, upper)
     words = described(result.case, result.parameter)
     say_below(figure, f"once a period of the forcing; {words}")
     return figure
