@@ -16,6 +16,7 @@ from .scenes.orders import (
     declared_as,
     half_if_mirrored,
     in_order,
+    is_odd,
     pairs,
 )
 from .simulation.followers import may_follow
@@ -157,7 +158,8 @@ def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Itera
             for step, follower in pairs(machine.cell, order)
         )
 
-    yield from filter(possible, (Order(steps, True) for steps in ways))
+    if half or is_odd(machine.cell):
+        yield from filter(possible, (Order(steps, True) for steps in ways))
     for order in filter(possible, map(Order, () if half else ways)):
         smaller = half_if_mirrored(machine.cell, order)
         yield from (order,) if smaller == order else (smaller, order)

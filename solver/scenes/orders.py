@@ -182,7 +182,8 @@ class OrderedScene(LoadedScene):
         """
         declared = self.base.cell(numbers, 1, units)
         if self.half_period and not is_odd(declared):
-            problem = f"parameters: the mirror image of {self.motion} is no motion for these"
+            what = f"the mirror image of {self.motion} is not a motion"
+            problem = f"phases: {what} for these parameters"
             raise ParameterError([problem])
         cell = in_cell(declared, self.order)
         return replace(cell, classes=self.classes, k=self.k, cycles=cycles)

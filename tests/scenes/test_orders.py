@@ -217,7 +217,7 @@ def test_that_a_scene_is_odd_is_deduced() -> None:
         assert exact_orbit(case).durations == pytest.approx(expected, rel=1e-12)
     (preloaded,) = cases_in_order(backlash(0.1)(), names)
     assert not preloaded.scene.half_period
-    with pytest.raises(ValueError, match="is no motion for these"):
+    with pytest.raises(ValueError, match="is not a motion for these parameters"):
         Case(in_order(backlash(0.1), half.scene.order), {}).cell  # noqa: B018
 
 
@@ -239,3 +239,20 @@ def test_a_phase_that_comes_again_is_made_once() -> None:
     """Along a branch near chatter a cell of 40 flights is made thousands of times."""
     phases = in_cell(registry.load("impact")().cell, Order((Step(0),) * 40)).phases
     assert (len(phases), len({*map(id, phases)})) == (40, 1)
+
+
+def test_a_scene_with_a_phase_that_has_no_image_has_no_half_periods() -> None:
+    """Friction both ways, and a rest that ends forward: asked for is a whole period."""
+    rubbing = made(
+        [(1.0, 0.2, 40.0, -3.0, 8.0), (1, 0, 0, 0, 0), (1.0, 0.2, 40.0, 3.0, 8.0)],
+        [(0, 1, 0, 0), (-40, 0, 8, 3), (0, 1, 0, 0)],
+        omega=2.0,
+        held=(None, 0.0, None),
+        demands=(
+            {"forward": (0, 1, 0, 0)},
+            {"held": (-40, 0, 8, 3), "held there": (40, 0, -8, 3)},
+            {"backward": (0, -1, 0, 0)},
+        ),
+    )
+    with pytest.raises(ValueError, match="where one cannot follow another"):
+        cases_in_order(rubbing(), "phase 0,phase 1,phase 2,phase 1")
