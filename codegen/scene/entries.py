@@ -123,6 +123,9 @@ def _check_expression(field: str, value: object) -> None:
     """Check an expression: finite and real, in symbols, without functions of time."""
     if isinstance(value, sp.Equality):
         raise SceneError(f"{field}: got an equation, expected one side of it, the other zero")
+    if isinstance(value, sp.Rel):
+        expected = "an expression, the larger side less the smaller"
+        raise SceneError(f"{field}: got {value}, expected {expected}")
     if isinstance(value, tuple | list | sp.MatrixBase):
         raise SceneError(f"{field}: got {_shown(value)}, expected one expression; {INSTEAD}")
     number = isinstance(value, int | float) and not isinstance(value, bool)

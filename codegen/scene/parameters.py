@@ -38,8 +38,8 @@ def _check_symbol(field: str, symbol: sp.Symbol, phases: Sequence[str]) -> None:
     kinds = ({"positive": True}, {"nonnegative": True}, {"real": True})
     if symbol not in {sp.Symbol(symbol.name, **kind) for kind in kinds}:
         raise SceneError(
-            f"{field}: symbol: got {symbol} with other assumptions, "
-            "expected positive, nonnegative or real"
+            f"{field}: symbol: got {symbol} with other assumptions, expected positive, "
+            f"nonnegative or real, as in sp.Symbol({symbol.name!r}, positive=True)"
         )
     check_name(f"{field}: symbol", symbol.name)
     if symbol in STATE_UNITS:

@@ -49,7 +49,8 @@ def dimension_of(unit: str) -> Dimension:
         for factor in part.split() or ["?"] * bool(below):
             match = _FACTOR.fullmatch(factor)
             if match is None or match[1] not in BASE:
-                raise SceneError(f"unit: got {unit!r}, expected products of kg, m, s, N, rad")
+                expected = "kg, m, s, N, rad with spaces between, as in 'N s/m' or 'm/s^2'"
+                raise SceneError(f"unit: got {unit!r}, expected {expected}")
             power = sign * Fraction((match[2] or "1").strip("()"))
             total = _sum(total, BASE[match[1]], power)
     return total

@@ -32,6 +32,9 @@ SHORTEST = 1e-10
 #: Duration, relative to the cell, below which the effect of rounding on it is estimated.
 SHORT = 1e-6
 
+#: Largest displacement or velocity that is said to be 0, relative to that of the motion.
+NOTHING = 1e-12
+
 #: Unit roundoff of float64.
 ROUNDOFF = float(np.finfo(float).eps) / 2
 
@@ -268,10 +271,15 @@ def _rounding_of(orbit: Motion, scale: float, values: Vector) -> float:
 
 
 def _state(orbit: Motion, p: int, u: float) -> str:
-    """Return time and state at local time `u` of phase `p`, in words."""
+    """Return time and state at local time `u` of phase `p`, in words; 0 for rounding error."""
     units, at = orbit.case.units, np.array([u])
     t = (float(np.sum(orbit.cell_durations[:p])) + u * float(orbit.cell_durations[p])) * (
         units.time
     )
-    x, v = (float(orbit.part(p, at, j)[0]) * units.of_motion(j) for j in (0, 1))
+    phases, state = range(len(orbit.cell.phases)), []
+    for j in (0, 1):
+        size = max(float(np.abs(orbit.part(q, LOOK, j)).max()) for q in phases)
+        here = float(orbit.part(p, at, j)[0])
+        state.append(0.0 if abs(here) <= NOTHING * size else here * units.of_motion(j))
+    x, v = state
     return f"at t = {t:.6g} s, where x = {x:.6g} m and x' = {v:.6g} m/s"

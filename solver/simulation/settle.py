@@ -233,8 +233,9 @@ def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     within = f", in {every} of the forcing" if cell.forced else ""
     why = _no_order(cell, again)
     other = None if why else _in_order(cell, again, count if cell.forced else 1)
-    what = f"phases that are no order, as {why}" if why else "another order of phases"
-    return Settled(None, f"a simulation settles on {what}: {names}{within}", other)
+    what = "phases that cannot be solved for" if why else "another order of phases"
+    said = f"a simulation settles on {what}: {names}{within}"
+    return Settled(None, f"{said}; {why}" if why else said, other)
 
 
 def _no_order(cell: Cell, segments: tuple[Segment, ...]) -> str:
@@ -242,7 +243,7 @@ def _no_order(cell: Cell, segments: tuple[Segment, ...]) -> str:
     called = [phase.name for phase in cell.phases]
     for q in segments:
         if q.step is None:
-            return f"{q.began.called(called)} ends there, but not by its event"
+            return f"{q.began.called(called)} ends by a demand there, not by its event"
     missing = {q.phase for q in cell.memory} - {q.named.phase for q in segments}
     return next((f"{called[p]}, which sets a memory, is not among them" for p in missing), "")
 

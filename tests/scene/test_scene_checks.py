@@ -99,6 +99,8 @@ NAMES = [
 
 PARAMETER = [
     (lambda: with_parameter(0, unit="pound"), "parameter mass: unit: got 'pound'"),
+    (lambda: with_parameter(0, unit="Ns/m"), "parameter mass: unit: got", "as in 'N s/m'"),
+    (lambda: with_parameter(0, symbol=sp.Symbol("m")), "parameter mass: symbol", "=True)"),
     (lambda: with_parameter(0, default=0.0), "parameter mass: default: got 0.0", "above 0"),
     (lambda: with_parameter(1, default=-1.0), "parameter damping: default", "0 or more"),
     (
@@ -130,6 +132,7 @@ FIELDS = [
         "phase flight: demand 'right': stranger is not",
     ),
     (lambda: scene(requires={"right": stranger}), "requires 'right': stranger is not"),
+    (lambda: scene(requires={"right": m < k}), "requires 'right': got m < k", "the larger"),
     (lambda: scene(guess=(stranger / Omega,)), "guess: stranger is not"),
     (lambda: scene(scales={"length": stranger * g}), "scales 'length': stranger is not"),
     (
