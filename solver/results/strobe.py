@@ -140,8 +140,8 @@ class Basins(Tabular):
         }
 
     def __repr__(self) -> str:
-        name, count = self.case.scene.name, self.index.size
-        return f"<basins of {name}: {count} starts, {len(self.attractors)} attractors>"
+        name, starts, count = self.case.scene.name, self.index.size, len(self.attractors)
+        return f"<basins of {name}: {starts} starts, {count} attractor{'s'[: count != 1]}>"
 
     def __str__(self) -> str:
         lines = [f"{'starts':>8}  attractor"]

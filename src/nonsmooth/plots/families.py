@@ -149,7 +149,8 @@ def name_of(scene: "LoadedScene", name: str) -> str:
     """Return the axis label of a parameter of a scene."""
     parameter = next(q for q in scene.parameters if q.name == name)
     unit = f" [{parameter.unit}]" if parameter.unit else ""
-    return f"{parameter.name.replace('_', ' ')} {typeset(parameter.symbol)}{unit}"
+    words = "" if parameter.name == parameter.symbol else f"{parameter.name.replace('_', ' ')} "
+    return f"{words}{typeset(parameter.symbol)}{unit}"
 
 
 def _draw_times(axes: Any, result: "Family", style: dict[str, Any]) -> None:

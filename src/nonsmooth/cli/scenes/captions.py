@@ -63,11 +63,12 @@ def legend(scene: LoadedScene, durations: bool = True) -> str:
     """Return what the headings of a table of orbits mean."""
     jumps, forced = derivative(scene), scene.frequency is not None
     phases = ", ".join(scene.phases)
-    parts = ["T: period" if len(scene.phases) > 1 else f"T: period, one phase ({phases})"]
+    one = f"T: period, one phase ({phases})" + " and its mirror image" * scene.half_period
+    parts = ["T: period" if len(scene.phases) > 1 else one]
     if forced:
         parts.append("phi: phase of the forcing at the first switch")
     if durations and len(scene.phases) > 1:
-        parts.append(f"{phases}: their durations")
+        parts.append(f"{phases}: their durations" + ", T/2 in all" * scene.half_period)
     largest = "largest error of a duration" + (" or of phi/Omega" if forced else "")
     parts += [
         f"times: {largest}, as a fraction of T",

@@ -89,7 +89,7 @@ def _diagram(
         result = diagram(case, along.parameter, values_of(along), *arguments)
     ended = sum(not len(states) for states in result.states)
     summary = f"{result!r}, {sum(map(len, result.states))} states"
-    summary += f"; at {ended} the motion ends before" if ended else ""
+    summary += f"; at {ended} values the motion ends before they are seen" if ended else ""
     return _written(to, result, summary, "simulations.diagram_figure")
 
 
