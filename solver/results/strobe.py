@@ -141,7 +141,8 @@ class Basins(Tabular):
 
     def __repr__(self) -> str:
         name, starts, count = self.case.scene.name, self.index.size, len(self.attractors)
-        return f"<basins of {name}: {starts} starts, {count} attractor{'s'[: count != 1]}>"
+        attractors = "attractor" if count == 1 else "attractors"
+        return f"<basins of {name}: {starts} starts, {count} {attractors}>"
 
     def __str__(self) -> str:
         lines = [f"{'starts':>8}  attractor"]
