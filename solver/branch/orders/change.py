@@ -84,7 +84,7 @@ def begun_anew(piece: Piece, place: Place, course: Course) -> list[Vector]:
     course : Course
         The order.
     """
-    found = [place.y] if course == piece.course else []
+    every_begin = [place.y] if course == piece.course else []
     at_event = AtEvent(Found("", None, None, piece, place))
     orbit = Candidate(
         tuple(at_event.slots), at_event.half, at_event.angle, None, course.endless
@@ -93,8 +93,8 @@ def begun_anew(piece: Piece, place: Place, course: Course) -> list[Vector]:
         if each.course(piece.course) == course:
             with suppress(ArithmeticError):  # with a memory no state may belong to these times
                 z = _unknowns(at_event.event, course, each)
-                found.append(np.append(z, place.y[-1]))
-    return found
+                every_begin.append(np.append(z, place.y[-1]))
+    return every_begin
 
 
 def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place]:
