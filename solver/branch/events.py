@@ -40,8 +40,9 @@ def in_turn(entries: Iterable[tuple[float, Found | None]]) -> list[Found]:
     ordered = sorted(entries, key=lambda each: each[0])
     events = [(at, event) for at, event in ordered if event is not None]
     first = next((at for at, event in events if event.changes), None)
-    if any(event is None and (first is None or at <= first) for at, event in ordered):
-        raise NoStepError
+    no_orbit = next((at for at, event in ordered if event is None), None)
+    if no_orbit is not None and (first is None or no_orbit <= first):
+        raise NoStepError(no_orbit)
     if first is None:
         return [event for _, event in events]
     joint = [event for at, event in events if event.changes and at - first <= SAME * first]
@@ -116,16 +117,25 @@ def _watched(
 ) -> Iterator[tuple[float, Found | None]]:
     """Yield the events of a step at which durations vanish, and then those of forms.
 
+    What happens beyond a change of the order of phases that was found does not count.
+
     Where two phases vanish together, the equations are singular and the event is found by
     `by_cubic`.  The demands that these phases violate there are the same event.
     """
-    forms, together = 3 * len(piece.table), False
+    forms, together, end = 3 * len(piece.table), False, after
     watched = len(before.monitors) - OWN
-    for i in (*range(forms, watched), *range(forms)):
-        if not happens(before.monitors[i], after.monitors[i], i - watched):
+    in_turn_of_columns = (i for column in (END, START, LEAST) for i in range(column, forms, 3))
+    for i in (*range(forms, watched), *in_turn_of_columns):
+        height = float(end.monitors[i])
+        if abs(height) <= SAME * abs(after.monitors[i]) and end is not after:
+            continue  # it vanishes where the order changes, and stands behind in `TURNS`
+        if not happens(before.monitors[i], height, i - watched):
             continue
         try:
-            yield from located(piece, before, after, length, i)
+            for at, event in located(piece, before, end, length, i):
+                yield at, event
+                if event is not None and event.changes and abs(at) < abs(length):
+                    length, end = at, event.place
         except NoStepError:
             if abs(length) > CLOSE or (i < forms and not together):
                 raise

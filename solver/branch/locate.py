@@ -1,6 +1,5 @@
 """The events in a step of a branch: where, the orbit there, and the error of the parameter."""
 
-import math
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -26,6 +25,10 @@ ROUNDING = 4 * float(np.finfo(float).eps)
 
 #: Tolerance of the root of a monitor, as a part of a step.
 NEAR = 1e-14
+
+#: A search ends where a monitor is `SMALL` as a part of its values at the ends of the step, and
+#: so many values in turn have not halved it: the rest is rounding.
+SMALL, STALLED = 1e-7, 2
 
 #: Part of a step beside a fold or a flip in which no torus is looked for; least imaginary part
 #: of a complex multiplier, relative.
@@ -100,22 +103,27 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
         is_count = i - (len(before.monitors) - OWN) == OUTSIDE
         monitor = beyond_circle(piece, *map(place_at, ends)) if is_count else of_monitor
 
-        sizes = [abs(monitor(place_at(at))) for at in ends]
-        no_orbit, rounding = np.isnan(sizes).any(), ROUNDING * max(sizes)
+        one, other = (abs(monitor(place_at(at))) for at in ends)
+        size, small = float(np.fmax(one, other)), SMALL * float(np.fmin(one, other))
+        least, lowest, stalls = size, ends[1], 0
 
         def value(at: float) -> float:
+            nonlocal least, lowest, stalls
             height = monitor(place_at(at))
             if np.isnan(height):
-                return 1.0
-            if no_orbit:  # what vanishes where orbits end does so like a square
-                return math.copysign(math.sqrt(abs(height)), height)
-            return 0.0 if abs(height) <= rounding else height
+                return size
+            stalls = 0 if abs(height) <= least / 2 else stalls + 1
+            if abs(height) < least:
+                least, lowest = abs(height), at
+            is_noise = stalls == STALLED and least <= small
+            return 0.0 if is_noise or abs(height) <= ROUNDING * size else height
 
         at = float(
             brentq(value, *ends, xtol=NEAR * max(map(abs, ends)), rtol=NEAR, maxiter=200)
         )
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
+    at = lowest if least <= small else at
     return at, place_at(at)
 
 

@@ -47,7 +47,15 @@ class Place:
 
 
 class NoStepError(ArithmeticError):
-    """A step does not lead to the branch."""
+    """A step does not lead to the branch.
+
+    Its argument is how far in the step there are orbits, if that was found.
+    """
+
+    @property
+    def reach(self) -> float | None:
+        """How far in the step there are orbits; None if that was not found."""
+        return float(self.args[0]) if self.args else None
 
 
 @dataclass(frozen=True, eq=False)

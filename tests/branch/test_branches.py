@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import one_mass
 import pytest
+from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.plots.families import branch_figure
@@ -149,6 +150,38 @@ def test_a_form_of_a_body_that_falls_and_rises_again_has_its_least(t_1: float) -
     least, when = watched.least_inside(way, grid, 1.0, finer, terms, terms[1:3] @ grid, 0)
     assert when == pytest.approx(3 * t_1, rel=0.01)
     assert least == pytest.approx(0.0, abs=0.01 * t_1**3)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_least_of_many_minima_of_a_body_is_found(seed: int) -> None:
+    """Of a sum of cosines, against all its minima between many more times."""
+    rng, m = np.random.default_rng(seed), 5
+    omega, parts = rng.uniform(2, 8, m), rng.normal(size=m)
+    generator = np.zeros((2 * m + 3, 2 * m + 3))
+    generator[:m, m : 2 * m], generator[m : 2 * m, :m] = np.eye(m), -np.diag(omega**2)
+    angle = rng.uniform(0, 6, m)
+    begin = np.array([*np.cos(angle), *(-omega * np.sin(angle)), 0.0, 0.0, 1.0])
+    case = (None, generator[None], *[None] * 5, UNKNOWN)
+    way, s, form = ways.way_of(case, 0), 9.0, np.array([*parts, *[0.0] * (m + 2), 2.0])
+    grid = ways.along(way, s, begin)
+    finer, terms = ways.halves(way, s / (grid.shape[1] - 1)), ways.expanded(way, form)
+    slopes = terms[1:3] @ grid
+    least, when = watched.least_inside(way, grid, s, finer, terms, slopes, 0)
+
+    def derivative(t: float, j: int) -> float:
+        return float(parts @ (omega**j * np.cos(omega * t + angle + j * np.pi / 2)))
+
+    times = np.linspace(0, s, 4000)
+    rates = np.array([derivative(t, 1) for t in times])
+    rises = np.flatnonzero((rates[:-1] < 0) & (rates[1:] >= 0))
+    minima = [brentq(derivative, times[i], times[i + 1], (1,), xtol=1e-13) for i in rises]
+    assert len(minima) > 2
+    expected = min(minima, key=lambda t: derivative(t, 0))
+    assert when == pytest.approx(expected, abs=1e-8)
+    assert least == pytest.approx(2 + derivative(expected, 0), abs=1e-12)
+    falls = (slopes[0, :-1] < 0) & (slopes[0, 1:] >= 0)
+    may = watched.may_have_least(terms[0] @ grid, slopes, s / len(falls), falls)
+    assert 1 <= (may & falls)[1:].sum() < len(minima)
 
 
 def test_from_the_branch_itself_corrections_do_not_count() -> None:

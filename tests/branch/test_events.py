@@ -6,6 +6,7 @@ stick-slip orbit: an ODE solver with events; of inelastic impacts: where the fli
 a rest hits the stop as it begins to press, or a period later, in 40 digits.
 """
 
+import itertools
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
@@ -18,7 +19,7 @@ from shown import ROOT
 import nonsmooth as ns
 from nonsmooth.solver.branch.course import Course
 from nonsmooth.solver.branch.events import in_turn
-from nonsmooth.solver.branch.piece import NoStepError
+from nonsmooth.solver.branch.piece import NoStepError, Piece
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import are_one, known_orbits
 from nonsmooth.solver.in_order import motion_of
@@ -423,10 +424,19 @@ def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
     ends = SimpleNamespace(changes=True, column=None, phase=0, value=2.0)
     found = [(0.3, None), (0.2, ends), (0.1, fold)]
     assert in_turn(found) == [fold, ends]
-    with pytest.raises(NoStepError):
-        in_turn([(0.15, None), *found])
-    with pytest.raises(NoStepError):
-        in_turn([(0.3, None), (0.1, fold)])
+    for entries, reach in ([(0.15, None), *found], 0.15), ([(0.3, None), (0.1, fold)], 0.3):
+        with pytest.raises(NoStepError) as error:
+            in_turn(entries)
+        assert error.value.reach == reach
+
+
+def test_few_orbits_are_computed_for_an_event(monkeypatch) -> None:
+    """None for what vanishes where or beyond where the order changes, none among rounding."""
+    count, stepped = itertools.count(), Piece.stepped
+    monkeypatch.setattr(Piece, "stepped", lambda *args: next(count) + 1 and stepped(*args))
+    events = ns.branch(ns.scene("impact")(), "frequency", 0.8, 3).events
+    assert {event.kind for event in events} == {"grazing", "fold", "flip"}
+    assert next(count) < 25 * len(events)
 
 
 def test_a_phase_vanishes_where_what_it_demands_is_found_but_for_rounding() -> None:

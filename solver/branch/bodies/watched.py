@@ -41,7 +41,8 @@ def least_inside(
     """Return the least value of a form at its critical points inside a phase, and its time.
 
     NaN without one.  Between two times of the grid the rate may change its sign, or dip below
-    zero and come back, just behind a jump of the velocity at any scale.
+    zero and come back, just behind a jump of the velocity at any scale.  A body has many
+    minima: those that cannot be the least are left out.
 
     Parameters
     ----------
@@ -65,6 +66,7 @@ def least_inside(
     falls = (rates[:-1] < 0) & (rates[1:] >= 0)
     dips = (rates[:-1] >= 0) & (rates[1:] >= 0) & (bends[:-1] < 0) & (bends[1:] > 0)
     dips &= lowest(rates, 2 * bends, h) <= SHALLOW * np.minimum(rates[:-1], rates[1:])
+    falls &= may_have_least(terms[0] @ grid, slopes, h, falls)
     for i in np.flatnonzero(falls | dips):
         value, offset, y = nan, 0.0, grid[:, i].copy()
         if dips[i]:
@@ -76,6 +78,29 @@ def least_inside(
         if not isnan(value) and (isnan(least) or value < least):
             least, time = value, i * h + offset
     return least, time
+
+
+def may_have_least(heights: Vector, slopes: Matrix, h: float, falls: Any) -> Any:
+    """Return for each step whether the least of the minima in the steps `falls` may be in it.
+
+    It is not above any end of these steps.  Where a form is convex, it is above its tangents;
+    their depth is doubled, since between the times of the grid it may be less convex.  A form
+    may begin like a power of the time: the first step counts in any case.
+
+    Parameters
+    ----------
+    heights : ndarray, shape (points,)
+        The form on the grid.
+    slopes
+        See `least_inside`.
+    """
+    ends = np.minimum(heights[:-1], heights[1:])
+    depth = ends - lowest(heights, slopes[0], h)
+    may = (slopes[1, :-1] <= 0) | (slopes[1, 1:] <= 0)
+    if falls.any():
+        may |= ends - 2 * depth <= ends[falls].min()
+    may[0] = True
+    return may
 
 
 def lowest(values: Vector, slopes: Vector, h: float) -> Vector:
