@@ -197,10 +197,11 @@ class Piece:
         ------
         NoStepError
         """
-        corrected = y.copy()
-        if not self.course.by("corrected", self.along, corrected, border)[0]:
+        converged, _, corrected = self.course.by("stepped", self.along, y, border, 0.0)
+        if not converged:
             raise NoStepError
-        return corrected
+        unknowns: Vector = corrected
+        return unknowns
 
     def singular_vectors(self, y: Vector) -> Matrix:
         """Return the right singular vectors of the Jacobian; the last span its null space."""

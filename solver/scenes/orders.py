@@ -213,8 +213,10 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     """
     setters = [memory.phase for memory in cell.memory]
     slots = [(q, tuple(_columns(setters, order, p))) for p, q in enumerate(order.steps)]
-    mirrored = [_begins_mirrored(cell, order, p) for p in range(len(order.steps))]
-    memory = [_set_in(p, cell.memory[i], mirrored[p]) for i, p in _settings(setters, order)]
+    memory = [
+        _set_in(p, cell.memory[i], _begins_mirrored(cell, order, p))
+        for i, p in _settings(setters, order)
+    ]
     variants = {
         (step, columns): _with_columns(_phase_of(cell, step), columns, len(memory))
         for step, columns in set(slots)
