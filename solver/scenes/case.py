@@ -1,5 +1,7 @@
 """A case: a scene with checked numbers for its parameters, and units that scale them."""
 
+import ast
+import inspect
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -245,12 +247,19 @@ def _checked(
 def _unmet(scene: "LoadedScene", values: Mapping[str, float]) -> list[str]:
     """Return the errors of parameters that violate the scene's conditions on them."""
     conditions = scene.numbers("requires", tuple(values.values()))
-    symbols = {parameter.symbol: parameter.name for parameter in scene.parameters}
     errors = []
-    for text, value in zip(scene.module.REQUIRES, conditions, strict=True):
+    for i, (text, value) in enumerate(zip(scene.module.REQUIRES, conditions, strict=True)):
         if not value >= 0:
-            named = [symbols.get(word, word) for word in text.replace(",", " ").split()]
-            numbers = [f"{name} = {values[name]!r}" for name in named if name in values]
-            got = " and ".join(numbers) or f"{value:.6g} for what must not be negative"
+            symbols = _symbols_required(scene, i)
+            names = [q.name for q in scene.parameters if q.symbol in symbols]
+            got = ", ".join(f"{name} = {values[name]!r}" for name in names)
             errors.append(f"parameters: got {got}, expected that {text}")
     return errors
+
+
+def _symbols_required(scene: "LoadedScene", i: int) -> set[str]:
+    """Return the symbols in one of the scene's conditions on its parameters."""
+    function = ast.parse(inspect.getsource(scene.module.requires))
+    (result,) = (node.value for node in ast.walk(function) if isinstance(node, ast.Return))
+    assert isinstance(result, ast.Tuple)
+    return {node.id for node in ast.walk(result.elts[i]) if isinstance(node, ast.Name)}

@@ -5,6 +5,7 @@ import math
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,14 @@ def test_a_parameter_may_have_a_name_that_kernels_use(name: str) -> None:
     """Equations do not use it, and kernels take a scene as numbers."""
     usual, other = (ns.solve(ns.scene(ball(gravity=q))()) for q in ("g", name))
     assert other.durations == usual.durations
+
+
+def test_a_condition_names_what_it_is_on_whatever_its_words() -> None:
+    made = ball()
+    r = made.parameters[-1].symbol
+    words = "gravity is not too strong"  # of another parameter
+    with pytest.raises(ValueError, match=r"got restitution = 0\.8, expected"):
+        ns.scene(replace(made, requires={words: 1 - 2 * r}))()
 
 
 def ball(restitution: float = 0.8, name: str = "ball", gravity: str = "g") -> Scene:
