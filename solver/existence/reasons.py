@@ -6,7 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..flow import flow
+from ..kernels.registry import names
 from ..no_orbit import NoOrbit
+from ..orbit.admissible import THROUGHOUT
+from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Phase
@@ -57,16 +60,26 @@ def _no_solution(case: Case) -> str:
 
 
 def _refusals(solutions: Known) -> tuple[str, ...]:
-    """Return why each solution is not an orbit."""
+    """Return why each solution is not an orbit, first of those that violate least.
+
+    One that violates one demand alone, from begin to end of its phase, would be an orbit if the
+    sign of that demand were the other: in a scene of the user's it may be a mistake.
+    """
     several = len(solutions.refused[0].cell_durations) > 1
     reasons = []
-    for orbit in solutions.refused:
-        name = orbit.case.cell.phases[0].name
+    for orbit in sorted(solutions.refused, key=lambda q: (len(q.violations), not _by_sign(q))):
+        name, own = orbit.case.cell.phases[0].name, orbit.case.scene.name not in names()
         head = f"{name} {orbit.durations[0]:.4g} s, " if several else ""
-        reasons.append(head + "; ".join(orbit.violations))
+        question = "; is the sign of this demand right?" if own and _by_sign(orbit) else ""
+        reasons.append(head + "; ".join(orbit.violations) + question)
     lines = [f"solution {i}: {why}" for i, why in enumerate(dict.fromkeys(reasons), 1)]
     rest = [f"and {len(lines) - TOLD} more"] if len(lines) > TOLD else []
     return (*lines[:TOLD], *rest)
+
+
+def _by_sign(refused: ExactOrbit) -> bool:
+    """Whether a solution violates one demand alone, throughout its phase."""
+    return len(refused.violations) == 1 and refused.violations[0].startswith(THROUGHOUT)
 
 
 def not_decided(case: Case) -> Iterator[str]:

@@ -35,6 +35,9 @@ SHORT = 1e-6
 #: Largest displacement or velocity that is said to be 0, relative to that of the motion.
 NOTHING = 1e-12
 
+#: What the violation of a demand that holds nowhere in its phase begins with.
+THROUGHOUT = "throughout"
+
 #: Unit roundoff of float64.
 ROUNDOFF = float(np.finfo(float).eps) / 2
 
@@ -240,13 +243,12 @@ def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -
     points = chebyshev.candidates(parts)
     values = signal(points)
     worst = int(np.argmin(values))
-    below = -float(values[worst])
-    if below > _rounding_of(orbit, scale, values) and (
-        allowed is only_rounding or below > allowed(p, form) * scale
-    ):
+    below, rounding = -float(values[worst]), _rounding_of(orbit, scale, values)
+    if below > rounding and (allowed is only_rounding or below > allowed(p, form) * scale):
         where = _state(orbit, p, float(points[worst]))
+        span = "in" if values.max() > rounding else THROUGHOUT
         return [
-            f"in {phase.name}, not true that {words}: by {below / scale:.3g} of "
+            f"{span} {phase.name}, not true that {words}: by {below / scale:.3g} of "
             f"its size {where} (allowed: {allowed(p, form):.2g})"
         ]
     if vanishes_by_event(orbit, p, form):

@@ -17,6 +17,7 @@ import nonsmooth as ns
 from nonsmooth.codegen import generate
 from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.scene_files import content, read, store
+from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.scenes import sealed
 
 pytestmark = pytest.mark.usefixtures("cache")
@@ -48,6 +49,18 @@ def test_a_condition_names_what_it_is_on_whatever_its_words() -> None:
     words = "gravity is not too strong"  # of another parameter
     with pytest.raises(ValueError, match=r"got restitution = 0\.8, expected"):
         ns.scene(replace(made, requires={words: 1 - 2 * r}))()
+
+
+@pytest.mark.parametrize(("least", "question"), [(0, True), (1, False)])
+def test_a_demand_of_the_wrong_sign_is_asked_about(least: int, question: bool) -> None:
+    made = ball()
+    amplitude = made.parameters[1].symbol
+    flight = replace(made.phases[0], demands={"above": least * amplitude - x})
+    with pytest.raises(NoOrbit) as caught:
+        ns.solve(ns.scene(replace(made, phases=(flight,)))())
+    why = caught.value.tried[0]
+    assert why.endswith("; is the sign of this demand right?") is question
+    assert why.startswith("solution 1: throughout flight, not true that above: by") is question
 
 
 def ball(restitution: float = 0.8, name: str = "ball", gravity: str = "g") -> Scene:

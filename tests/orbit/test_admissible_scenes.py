@@ -48,7 +48,9 @@ def test_impacts_from_beyond_the_stop_are_refused_by_name() -> None:
     for orbit in bad:
         assert abs(math.remainder(orbit.angle - good[0].angle, 2 * math.pi)) > 2
         (line,) = orbit.violations
-        assert line.startswith("in flight, not true that the mass stays before the stop")
+        assert line.startswith(
+            "throughout flight, not true that the mass stays before the stop"
+        )
 
 
 @pytest.mark.parametrize("method", ["ck", "ck-tau", "hb"])
