@@ -170,16 +170,16 @@ class Case:
     @property
     def description(self) -> str:
         """Parameters, by their symbols, and cycles, in one line for captions."""
-        text = self.described()
-        return text if self.cycles == 1 else f"{text}; {self.cycles} cycles of the forcing"
+        return self.described()
 
-    def described(self, but: str = "") -> str:
-        """Return the parameters in one line, by their symbols; the one named `but` left out."""
-        return ", ".join(
+    def described(self, *but: str) -> str:
+        """Return the parameters but some, by their symbols, and cycles, in one line."""
+        text = ", ".join(
             f"{q.symbol} = {self.values[q.name]:.4g} {q.unit}".rstrip()
             for q in self.scene.parameters
-            if q.name != but
+            if q.name not in but
         )
+        return text if self.cycles == 1 else f"{text}; {self.cycles} cycles of the forcing"
 
 
 def check_case(case: object) -> None:

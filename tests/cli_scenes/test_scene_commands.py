@@ -104,6 +104,16 @@ def test_a_document_has_the_fixed_keys_and_the_numbers_of_the_solver(run) -> Non
     assert several["mathematics"] != document["mathematics"]
 
 
+@pytest.mark.parametrize(
+    ("command", "more"), [("branch", ""), ("map", ":2 --vary force=1:2:2"), ("simulate", ":2")]
+)
+def test_a_parameter_that_varies_is_told_by_its_range(run, command: str, more: str) -> None:
+    _, out, _ = run(command, "impact", *f"--vary gap=0.2:0.3{more}".split())
+    assert "g = 0.2 to 0.3 m\n" in out
+    assert "g = 0.1 m" not in out
+    assert ("F = 1 N," in out) is not ("F = 1 to 2 N\n" in out)
+
+
 @pytest.mark.parametrize("json_", [False, True])
 def test_no_orbit_is_status_1_with_its_reason(run, json_) -> None:
     more = ("--json",) if json_ else ()

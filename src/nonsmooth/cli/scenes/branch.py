@@ -65,7 +65,7 @@ def run(
     document = {"branches": [q.as_dict() for q in followed]} if every else followed[0].as_dict()
     used = [followed[0].method] if followed[0].order else []
     text = documents.text(case, {"scene": case.scene.name} | document, used)
-    to.show(text, tables.branches(case, followed))
+    to.show(text, tables.branches(case, along, followed))
     below = _diagrams(case, followed[0], along) if attractors and not interrupt else ()
     to.write(text, drawn_by("families.branch_figure", followed, below), followed[0])
     if interrupt:
@@ -123,7 +123,7 @@ def chart(
         except Interrupted as error:
             interrupt, result = error, error.done
     text = documents.text(case, result.as_dict(), ())
-    to.show(text, (caption(case), str(result)))
+    to.show(text, (caption(case, first, second), str(result)))
     to.write(text, drawn_by("charts.chart_figure", result), result)
     if interrupt:
         raise Problem(f"interrupted: {interrupt}", 130)

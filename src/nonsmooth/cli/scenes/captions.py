@@ -8,26 +8,36 @@ from nonsmooth.solver.scenes.loaded import LoadedScene
 from nonsmooth.solver.scenes.methods import shown
 
 from ..columns import filled, filled_parameters
+from ..values import Vary
 
 
-def caption(case: Case) -> str:
-    """Return the scene and the parameters of a case, and whose choice they are."""
-    scene = case.scene
+def caption(case: Case, *along: Vary[float]) -> str:
+    """Return scene and parameters of a case, those that vary by their ranges, and a choice."""
+    scene, varied = case.scene, [vary.parameter for vary in along]
     head = f"{scene.label}: {scene.title} (C{scene.k})"
-    lines = [filled(head), filled_parameters(case.description), *map(filled, smoother(case))]
+    lines = [filled(head), filled_parameters(case.described(*varied))]
+    lines += [_span(scene, vary.parameter, vary.first, vary.last) for vary in along]
+    if not along:
+        lines += map(filled, smoother(case))
     if isinstance(case, StickSlip):
-        lines.append(f"alpha = omega_n (mu_s - mu_k) F_N / (K V) = {case.alpha:.6g}")
-        if case.values == SECTION_4:
+        if not along:
+            lines.append(f"alpha = omega_n (mu_s - mu_k) F_N / (K V) = {case.alpha:.6g}")
+        if case.values == SECTION_4 and "normal_force" not in varied:
             lines.append(CHOICE)
     return "\n".join(lines) + "\n"
+
+
+def _span(scene: LoadedScene, name: str, first: float, last: float) -> str:
+    """Return a parameter and its range."""
+    parameter = next(q for q in scene.parameters if q.name == name)
+    return f"{parameter.symbol} = {first:g} to {last:g} {parameter.unit}".rstrip()
 
 
 def caption_of_family(result: Family) -> str:
     """Return the scene, what of its parameters varies, and how the orbits are computed."""
     scene, values = result.case.scene, result["value"]
-    parameter = next(q for q in scene.parameters if q.name == result.parameter)
     head = f"{scene.name}: {scene.title} (C{scene.k})"
-    along = f"{parameter.symbol} = {values[0]:g} to {values[-1]:g} {parameter.unit}".rstrip()
+    along = _span(scene, result.parameter, values[0], values[-1])
     how = f"{shown(scene, result.method)}, N = {result.order}"
     lines = filled(head), filled_parameters(result.other_parameters), f"{along}; {how}"
     return "\n".join(lines) + "\n"

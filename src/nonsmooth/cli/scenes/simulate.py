@@ -90,7 +90,8 @@ def _diagram(
     ended = sum(not len(states) for states in result.states)
     summary = f"{result!r}, {sum(map(len, result.states))} states"
     summary += f"; at {ended} values the motion ends before they are seen" if ended else ""
-    return _written(to, result, summary, "simulations.diagram_figure")
+    head = captions.caption(result.case, along)
+    return _written(to, result, (head, summary), "simulations.diagram_figure")
 
 
 def _basins(
@@ -109,12 +110,15 @@ def _basins(
     with as_problems(), progress(len(axes["v"]), "simulate") as advance, pool() as executor:
         arguments = cycles, executor, lambda value: advance(f"v = {value:g}")
         result = basins(case, axes["x"], axes["v"], *arguments)
-    return _written(to, result, str(result), "simulations.basins_figure")
+    said = captions.caption(result.case), str(result)
+    return _written(to, result, said, "simulations.basins_figure")
 
 
-def _written(to: Destination, result: Basins | Diagram, said: str, figure: str) -> int:
+def _written(
+    to: Destination, result: Basins | Diagram, said: tuple[str, str], figure: str
+) -> int:
     """Show what is found of many motions, write it; the exit status."""
     text = documents.text(result.case, result.as_dict(), ())
-    to.show(text, (captions.caption(result.case), said))
+    to.show(text, said)
     to.write(text, drawn_by(figure, result), rows=lambda: result.table().rows())
     return 0

@@ -28,6 +28,7 @@ from ..columns import (
     table_of,
     without_rounding,
 )
+from ..values import Vary
 from .captions import caption, caption_of_family, derivative, estimated, legend
 
 #: Points of a printed family.
@@ -195,9 +196,9 @@ def family(result: Family) -> Iterator[Piece]:
     yield "; ".join(parts)
 
 
-def branches(case: Case, followed: Sequence[Branch]) -> Iterator[Piece]:
+def branches(case: Case, along: Vary[float], followed: Sequence[Branch]) -> Iterator[Piece]:
     """Show the branches of a case, one below the other."""
-    yield caption(case)
+    yield caption(case, along)
     for branch in followed:
         yield from _branch(branch)
 
