@@ -144,6 +144,14 @@ def test_no_orbit_is_status_1_with_its_reason(run, json_) -> None:
     assert f"nonsmooth: {why}" == f"{first};{instead[1:]};{below[1:]}"
 
 
+def test_of_no_orbits_no_table_is_printed(run) -> None:
+    status, out, err = run("solve", "dry-friction", "--mu-s", 2, "--mu-k", 2, "--all")
+    assert status == 1
+    assert out.endswith("\n\nnone found\n")
+    assert "T [s]" not in out
+    assert "no admissible orbit of any motion" in err
+
+
 def test_a_tolerance_chooses_the_lowest_order(run) -> None:
     status, out, _ = run("solve", "impact", "--tol", 1e-9, "--json")
     document = json.loads(out)

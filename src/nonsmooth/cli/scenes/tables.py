@@ -94,6 +94,9 @@ def every(
 ) -> Iterator[Piece]:
     """Show one row an orbit, and one a motion without switches."""
     yield caption(case)
+    if not (orbits or still):
+        yield "none found"
+        return
     names = ("motion", "T [s]", "phi [rad]", "least x [m]", "largest x [m]", "estimate", "")
     table = table_of(*names)
     for orbit in orbits:
