@@ -166,6 +166,15 @@ def test_new_axes_have_the_style_of_all_pictures() -> None:
     plt.close(axes.figure)
 
 
+def test_new_axes_of_a_branch_explain_its_marks() -> None:
+    plt = pytest.importorskip("matplotlib.pyplot")
+    plt.switch_backend("agg")
+    axes = ns.branch(ns.scene("impact")(), "frequency", 2.3, 2.55).plot()
+    (legend,) = axes.figure.legends
+    assert [text.get_text() for text in legend.get_texts()] == ["stable", "unstable", "flip"]
+    plt.close(axes.figure)
+
+
 @pytest.mark.parametrize("kind", ["orbit", "sweep-belt", "family", "modes", "simulation"])
 def test_without_matplotlib_the_extra_is_named(kind: str, monkeypatch) -> None:
     found = thing(kind)

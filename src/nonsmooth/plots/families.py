@@ -15,6 +15,7 @@ from .axes import (
     described,
     frame,
     label_once,
+    legend_above,
     mark_values,
     say_below,
     typeset,
@@ -71,6 +72,8 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
     missing = [row.value for row in result.rows if row.status != "ok"]
     mark_values(axes, missing, "no orbit", "0.4")
     axes.set_xlabel(name_of(result.case.scene, result.parameter))
+    if ax is None and quantity != "times":
+        legend_above(axes.figure, axes, 4)
     return axes
 
 
