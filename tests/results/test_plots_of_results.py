@@ -175,6 +175,15 @@ def test_new_axes_of_a_branch_explain_its_marks() -> None:
     plt.close(axes.figure)
 
 
+def test_where_two_multipliers_become_real_their_curve_has_points(axes) -> None:
+    case = ns.scene("impact")()
+    ns.branch(case, "frequency", 2.3, 2.55).plot(axes, "multiplier")
+    x, y = np.concatenate([curve(line) for line in axes.lines[:2]], axis=1)
+    for value in (2.44, 2.45, 2.5):  # they meet at 2.439
+        exact = max(map(abs, ns.exact(case.with_value("frequency", value)).multipliers))
+        assert np.interp(value, x, y) == pytest.approx(exact, rel=1e-3)
+
+
 @pytest.mark.parametrize("kind", ["orbit", "sweep-belt", "family", "modes", "simulation"])
 def test_without_matplotlib_the_extra_is_named(kind: str, monkeypatch) -> None:
     found = thing(kind)

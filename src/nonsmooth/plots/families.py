@@ -1,7 +1,8 @@
 """Families and branches of orbits along a parameter: stability, events, missing orbits."""
 
+import math
 from collections.abc import Iterator, Sequence
-from itertools import cycle, groupby
+from itertools import cycle, groupby, pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -43,6 +44,9 @@ QUANTITIES = {
 #: The line style of orbits that are stable, unstable, neither.
 LINES = {True: "-", False: "--", None: ":"}
 
+#: Parts of a curve of multipliers between two orbits.
+PARTS = 16
+
 #: The marker of each kind of event.
 MARKS = {
     "fold": "o", "flip": "s", "torus": "D", "branch-point": "^",
@@ -64,7 +68,7 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
         _draw_times(axes, result, {"linewidth": 1.2, "color": "0.2"} | style)
     else:
         for column in _columns(result.rows, quantity):
-            _lines(axes, result, column, look)
+            _lines(axes, result, column, look, pairs=quantity == "multiplier")
             _marks(axes, result, column)
         if quantity == "estimate":
             _scale_errors(axes)
@@ -98,15 +102,46 @@ def _value(row: "FamilyRow", quantity: str, end: int) -> float | None:
     return row.extremes[quantity][end] if quantity in row.extremes else numbers[quantity]
 
 
-def _lines(axes: Any, result: "Family", values: "Vector", look: dict[str, Any]) -> None:
-    """Draw a column as lines by stability, or dots if a value of a family has several."""
+def _lines(
+    axes: Any, result: "Family", values: "Vector", look: dict[str, Any], pairs: bool
+) -> None:
+    """Draw a column as lines by stability, or dots if a value of a family has several.
+
+    With `pairs` the column is the largest multiplier; see `_with_kinks`.
+    """
     along = result["value"]
     for stable, run in _runs(result):
         kind = {"linestyle": LINES[stable]}
         if len(set(along[run])) < len(run) and not result.in_turn:
             kind = {"linestyle": "", "marker": "." if stable else "1"}
         name = {True: "stable", False: "unstable", None: "neither, to rounding"}[stable]
-        axes.plot(along[run], values[run], **look | kind | label_once(axes, name))
+        x, y = along[run], values[run]
+        if pairs and result.in_turn:
+            x, y = _with_kinks(x, y, [result.rows[i].multipliers for i in run])
+        axes.plot(x, y, **look | kind | label_once(axes, name))
+
+
+def _with_kinks(
+    x: "Vector", y: "Vector", multipliers: "list[tuple[complex, ...] | None]"
+) -> "tuple[Vector, Vector]":
+    """Return a curve of largest multipliers with points between those where two are real.
+
+    Where two real multipliers meet, the larger has a vertical tangent; their sum and product
+    have none, and are interpolated.
+    """
+    xs, ys = [x[:1]], [y[:1]]
+    parts = np.linspace(0, 1, PARTS + 1)[1:-1]
+    for i, ends in enumerate(pairwise(multipliers)):
+        pairs = [end for end in ends if end is not None and len(end) == 2]
+        if len(pairs) == 2 and not all(pair[0].imag for pair in pairs):
+            first, last = (np.array([sum(q).real, math.prod(q).real]) for q in pairs)
+            sums, products = np.outer(first, 1 - parts) + np.outer(last, parts)
+            root = np.sqrt(sums**2 / 4 - products + 0j)
+            xs.append((1 - parts) * x[i] + parts * x[i + 1])
+            ys.append(np.maximum(abs(sums / 2 + root), abs(sums / 2 - root)))
+        xs.append(x[i + 1 : i + 2])
+        ys.append(y[i + 1 : i + 2])
+    return np.concatenate(xs), np.concatenate(ys)
 
 
 def _runs(result: "Family") -> "Iterator[tuple[bool | None, list[int]]]":
