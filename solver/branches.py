@@ -22,7 +22,7 @@ from .results.orbit import Orbit
 from .scenes.case import Case, check_case, index_of
 from .scenes.loaded import UnknownScene
 from .scenes.methods import FIRST
-from .scenes.parameter_error import ParameterError, is_number, plain
+from .scenes.parameter_error import ParameterError, is_number, plain, repeated
 from .search import check_order
 from .solve import number_of_functions, orbit_beside
 
@@ -272,7 +272,7 @@ def _orbits(case: Case) -> list[ExactOrbit]:
 def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
     for end in (first, last):
         if not is_number(end):
-            raise ValueError(f"range: got {end!r:.80}, expected a finite number")
+            raise ValueError(f"range: got {repeated(end)}, expected a finite number")
     index_of(case, parameter)
     ends = sorted(case.with_value(parameter, q).values[parameter] for q in (first, last))
     if ends[1] - ends[0] <= LEAST_RANGE * max(map(abs, ends)):

@@ -20,7 +20,7 @@ from .results.interrupted import Interrupted
 from .results.orbit import Orbit
 from .scenes.case import Case, check_case, index_of
 from .scenes.methods import FIRST
-from .scenes.parameter_error import plain
+from .scenes.parameter_error import plain, repeated
 from .search import check_order
 from .solve import number_of_functions, orbit_beside, solve_case
 from .stability.monodromy import NoMultipliersError
@@ -97,8 +97,8 @@ def family(
         if np.iscomplexobj(values):
             raise TypeError
         numbers = np.atleast_1d(np.asarray(values, dtype=float)).ravel().tolist()
-    except (TypeError, ValueError):
-        raise ValueError(f"values: got {values!r:.80}, expected numbers") from None
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(f"values: got {repeated(values)}, expected numbers") from None
     scene = case.scene
     index_of(case, parameter)
     cases = [case.with_value(parameter, value) for value in numbers]

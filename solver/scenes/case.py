@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 from ...nearest import nearest
 from .cell import Cell
 from .dimensionless import Units, UnitsError, units_of
-from .parameter_error import ParameterError, is_number
+from .parameter_error import ParameterError, is_number, repeated
 
 if TYPE_CHECKING:
     from ..exact import ExactOrbit
@@ -205,7 +205,7 @@ def index_of(case: Case, parameter: str) -> int:
     names = [q.name for q in case.scene.parameters]
     if parameter not in names:
         expected = f"one of {', '.join(names)}"
-        raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
+        raise ParameterError([f"parameter: got {repeated(parameter)}, expected {expected}"])
     return names.index(parameter)
 
 
@@ -220,7 +220,7 @@ def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
         expected = f"an odd number: x(t + T/2) = -x(t) in {scene.name}"
     else:
         return []
-    return [f"cycles: got {cycles!r}, expected {expected}"]
+    return [f"cycles: got {repeated(cycles)}, expected {expected}"]
 
 
 def _checked(
@@ -240,7 +240,8 @@ def _checked(
         if is_number(value) and parameter.allows(float(value)):  # type: ignore[arg-type]
             checked[parameter.name] = float(value)  # type: ignore[arg-type]
         else:
-            errors.append(f"{parameter.name}: got {value!r}, expected {parameter.expected}")
+            got = f"got {repeated(value)}, expected {parameter.expected}"
+            errors.append(f"{parameter.name}: {got}")
     return checked, errors
 
 

@@ -58,17 +58,29 @@ def units_of(
     near = tuple(map(lambda v, p: _in_units(v, p, rough), values, scene.powers))
     try:
         mass, time, length = map(float, scene.numbers("scales", near))
-    except (ZeroDivisionError, OverflowError, ValueError) as error:
-        raise UnitsError(f"their units are beyond float64 ({error})") from None
+    except (ZeroDivisionError, OverflowError, ValueError):
+        words = f"their units are beyond float64; {_farthest(scene, values)}"
+        raise UnitsError(words) from None
     units = Units(mass * rough[0], time * rough[2], length * rough[1])
     for name, value in vars(units).items():
         if not (math.isfinite(value) and value >= np.finfo(float).tiny):
-            raise UnitsError(f"their unit of {name} is {value!r}, beyond float64")
+            words = f"their unit of {name} is {value!r}, beyond float64"
+            raise UnitsError(f"{words}; {_farthest(scene, values)}")
     numbers = tuple(map(lambda v, p: _in_units(v, p, (mass, length, time)), near, scene.powers))
     for parameter, number in zip(scene.parameters, numbers, strict=True):
         if not math.isfinite(number):
             raise UnitsError(f"{parameter.name} in their units is {number!r}, beyond float64")
     return units, numbers
+
+
+def _farthest(scene: "LoadedScene", values: tuple[float, ...]) -> str:
+    """Return in words which parameter is farthest from its default, by a factor."""
+    _, name, value = max(
+        (abs(math.log(abs(value)) - math.log(abs(q.default or 1.0))), q.name, value)
+        for q, value in zip(scene.parameters, values, strict=True)
+        if value
+    )
+    return f"{name} = {value!r} is farthest from its default"
 
 
 def _powers_of_four(powers: tuple[Powers, ...], values: tuple[float, ...]) -> Powers:

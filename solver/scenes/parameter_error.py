@@ -4,6 +4,9 @@ import math
 import numbers
 from typing import Any
 
+#: Figures or letters of a value that messages repeat in full.
+LONG = 80
+
 
 class ParameterError(ValueError):
     """Parameters of a scene that are not allowed; `errors` has a message for each."""
@@ -26,6 +29,21 @@ def is_number(value: object) -> bool:
         return False
 
 
+def repeated(value: object) -> str:
+    """Return a value as messages repeat it: of a long one the begin and the end.
+
+    Examples
+    --------
+    >>> repeated(1.5), repeated(10**99)
+    ('1.5', '10000000000000000000...00000000000000000000')
+    """
+    try:
+        text = repr(value)
+    except ValueError:
+        return "a number of more figures than Python prints"
+    return text if len(text) <= LONG else f"{text[: LONG // 4]}...{text[-LONG // 4 :]}"
+
+
 def whole(
     name: str, value: object, least: int = 1, most: float = math.inf, of: str = ""
 ) -> int:
@@ -40,7 +58,7 @@ def whole(
     if not (right and least <= value <= most):  # type: ignore[operator]
         last = f" to {most}" if math.isfinite(most) else ""
         expected = f"a whole number from {least}{last}{of}"
-        raise ValueError(f"{name}: got {value!r}, expected {expected}")
+        raise ValueError(f"{name}: got {repeated(value)}, expected {expected}")
     return int(value)  # type: ignore[call-overload, no-any-return]
 
 

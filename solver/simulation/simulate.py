@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from ..scenes.case import Case, check_case
 from ..scenes.cell import Cell
-from ..scenes.parameter_error import is_number
+from ..scenes.parameter_error import is_number, repeated
 from .machines import machine_of
 from .record import Simulation
 from .steps.state import AnyState
@@ -142,5 +142,5 @@ def cycle(cell: Cell) -> float:
 
 def _number(name: str, value: object, expected: str) -> float:
     if not is_number(value):
-        raise ValueError(f"{name}: got {value!r:.80}, expected {expected}")
+        raise ValueError(f"{name}: got {repeated(value)}, expected {expected}")
     return float(value)  # type: ignore[arg-type]

@@ -8,7 +8,7 @@ from ..no_orbit import NoOrbit
 from ..results.orbit import Orbit
 from ..scenes.case import Case
 from ..scenes.methods import in_order
-from ..scenes.parameter_error import is_number
+from ..scenes.parameter_error import is_number, repeated
 from ..solve import number_of_functions, solve_case
 from .choice import Choice, TooSlow, Trial, size
 from .measured import orders, timed
@@ -43,7 +43,8 @@ def choose_within(
         If no order that was tried has an orbit.
     """
     if not (is_number(budget) and budget > 0):
-        raise ValueError(f"budget: got {budget!r}, expected a positive number of seconds")
+        expected = "a positive number of seconds"
+        raise ValueError(f"budget: got {repeated(budget)}, expected {expected}")
     scene = case.scene
     names = in_order(registry.methods(scene)) if method is None else (method,)
     trials: list[Trial] = []

@@ -18,7 +18,7 @@ from ..orbit.solution import attempt
 from ..results.orbit import Orbit
 from ..scenes.case import Case
 from ..scenes.methods import FIRST, about, shown
-from ..scenes.parameter_error import is_number
+from ..scenes.parameter_error import is_number, repeated
 from ..search import COARSE, HIGHEST_ORDER, Search
 from ..solve import number_of_functions, solve_case, with_motion
 from .choice import MARGIN, Choice, NotCertified, Trial, size
@@ -68,7 +68,7 @@ def choose_order(
         If no order that was tried has an orbit.
     """
     if not (is_number(tol) and 0 < tol < 1):
-        raise ValueError(f"tol: got {tol!r}, expected a number between 0 and 1")
+        raise ValueError(f"tol: got {repeated(tol)}, expected a number between 0 and 1")
     case = with_motion(case)
     name = registry.generic_method(case.scene, method)
     count = number_of_functions(case, name, None) if functions is None else functions

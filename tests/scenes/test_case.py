@@ -63,6 +63,14 @@ def test_all_mistakes_are_named_at_once() -> None:
     )
 
 
+@pytest.mark.parametrize("value", [10**400, 10**5000, "g" * 900], ids=range(3))
+@pytest.mark.parametrize("name", ["gap", "cycles"])
+def test_a_long_value_is_not_repeated_in_full(name: str, value: object) -> None:
+    with pytest.raises(ParameterError, match=f"{name}: got .*, expected a") as caught:
+        IMPACT(**{name: value})
+    assert len(str(caught.value)) < 140
+
+
 def test_what_the_scene_requires_is_checked_with_numbers() -> None:
     with pytest.raises(ParameterError) as caught:
         DAMPED(mu_s=0.2, mu_k=0.3)
@@ -71,8 +79,10 @@ def test_what_the_scene_requires_is_checked_with_numbers() -> None:
 
 
 def test_units_beyond_float64_are_refused() -> None:
-    with pytest.raises(ParameterError, match="unit of length"):
+    with pytest.raises(ParameterError, match=r"unit of length .*; force = 1e-300 is farthest"):
         IMPACT(force=1e-300, mass=1e100)
+    with pytest.raises(ParameterError, match=r"; frequency = 1e-300 is farthest from its"):
+        IMPACT(frequency=1e-300)
     with pytest.raises(ParameterError, match="gap in their units"):
         IMPACT(gap=1e300, force=1e-20)
 
