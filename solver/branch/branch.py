@@ -142,7 +142,7 @@ def go(
                 segment.why = f"beyond, an orbit has more than {orbit[0].course.most} phases"
                 orbit = None
         if orbit is not None:
-            segments[-1].why = f"{MOST_SEGMENTS} orders of phases are the most of a branch"
+            segments[-1].why = f"{MOST_SEGMENTS} sequences of phases are the most of a branch"
         if segments[-1].why == CLOSED:
             return
 

@@ -233,7 +233,7 @@ def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     within = f", in {every} of the forcing" if cell.forced else ""
     why = _no_order(cell, again)
     other = None if why else _in_order(cell, again, count if cell.forced else 1)
-    what = "phases that cannot be solved for" if why else "another order of phases"
+    what = "phases that cannot be solved for" if why else "another sequence of phases"
     said = f"a simulation settles on {what}: {names}{within}"
     return Settled(None, f"{said}; {why}" if why else said, other)
 

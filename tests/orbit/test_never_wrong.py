@@ -160,7 +160,7 @@ def test_a_slip_of_a_body_that_is_all_rounding_is_none():
         frequency=0.96, friction=0.158, tangential_stiffness=0.3, damping=0.3,
         absorber_damping=0.2, absorber_mass=1.0,
     )  # fmt: skip
-    with pytest.raises(NoOrbit, match="settles on another order of phases: slip, -stick"):
+    with pytest.raises(NoOrbit, match="settles on another sequence of phases: slip, -stick"):
         exact_orbit(case)
 
 

@@ -152,9 +152,9 @@ def test_a_stop_where_the_spring_is_free_has_states_of_zero() -> None:
 @pytest.mark.parametrize(
     ("gap", "frequency", "why"),
     [
-        (1.2, 1.2, "settles on another order of phases: flight"),  # the force never presses
+        (1.2, 1.2, "settles on another sequence of phases: flight"),  # the force never presses
         (-1.2, 1.2, "without switches"),  # nor lifts it off
-        (0.5, 0.5, "another order of phases: flight, flight, rest"),  # it lands too early
+        (0.5, 0.5, "another sequence of phases: flight, flight, rest"),  # it lands too early
         (1.2, 3.0, "the mass can move in flight for ever"),  # too near for the stop
     ],
 )

@@ -30,7 +30,7 @@ from nonsmooth.solver.simulation.walk import follow
 from nonsmooth.solver.solve import solve_case
 
 WITHOUT = "a simulation comes to a motion without switches"
-OTHER = "a simulation settles on another order of phases"
+OTHER = "a simulation settles on another sequence of phases"
 IN_TWO = f"{OTHER}: flight, in every 2 periods of the forcing"
 
 

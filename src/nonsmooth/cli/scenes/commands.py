@@ -54,8 +54,8 @@ can be computed in this time, measured on this machine.""",
         """Follow an orbit of {name} along a parameter, stable or not, through folds.
 
 {title}. The orbits are exact. Where a phase begins or ends, the branch goes on with the new
-order of phases. Folds, flips (period doublings), grazings, and beginnings and ends of a rest
-are located to rounding error.""",
+sequence of phases. Folds, flips (period doublings), grazings, and beginnings and ends of a
+rest are located to rounding error.""",
         """  nonsmooth branch {said} --vary {vary}
   nonsmooth branch {said} --vary {vary} -o branch.svg
   nonsmooth branch {said} --vary {vary} --all --json
