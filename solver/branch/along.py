@@ -48,8 +48,8 @@ class Along(NamedTuple):
         The number of unknowns before the durations.
     sign : float
         1, or -1 where the next cell is the mirror image.
-    known : tuple
-        Of a body `bodies.arrays.Known`; else empty.
+    independent : tuple
+        Of the parameter; of a body `bodies.arrays.Known`, else empty.
     """
 
     kinds: Integers
@@ -59,7 +59,7 @@ class Along(NamedTuple):
     weights: Vector
     before: int
     sign: float
-    known: Any = ()
+    independent: Any = ()
 
 
 @dataclass(frozen=True)

@@ -128,7 +128,7 @@ def _of_one_phase(cell: BodyCell) -> tuple[list[float], bool]:
     if len(null_space) > 1 and sizes[1] > rounding:
         return [], False
     line = on_the_circle(point[-2:], sizes[0] * lines[0])
-    return [q[-1] % (2 * np.pi) for q in line.found], len(null_space) == 1
+    return [q[-1] % (2 * np.pi) for q in line.states], len(null_space) == 1
 
 
 def slow(cell: BodyCell) -> BodyCell:

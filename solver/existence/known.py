@@ -82,7 +82,7 @@ def known(case: Case) -> Known:
         return replace(_sorted(roots, bodies.complete(cell, roots)), listed=bodies.listed(cell))
     if one_phase.applies(cell):
         closed = one_phase.solutions(cell)
-        roots = [_of_state(case, q) for q in closed.found]
+        roots = [_of_state(case, q) for q in closed.states]
         complete = closed.none or bool(roots)
         return replace(_sorted(roots, complete), infinite=closed.infinite, listed=True)
     if not two_phases.applies(cell):
@@ -90,11 +90,11 @@ def known(case: Case) -> Known:
     scan = two_phases.solutions(cell)
     orbits: list[ExactOrbit] = []
     complete = scan.complete
-    for start in (*scan.found, *scan.doubtful):
+    for start in (*scan.certain, *scan.doubtful):
         orbit = from_times(case, RoughTimes(*start, "the scan"))
         if _apart(orbit, *start) <= NEAR and not any(_same(orbit, q) for q in orbits):
             orbits.append(orbit)
-        elif start in scan.found:
+        elif start in scan.certain:
             complete = False
     return replace(_sorted(orbits, complete), listed=True)
 

@@ -26,11 +26,11 @@ FAR = 1e12
 class Solutions:
     """Solutions: displacement, velocity and phase of the forcing at the start, without units.
 
-    `found` is empty if there are infinitely many, if there is provably `none`, or if neither
+    `states` is empty if there are infinitely many, if there is provably `none`, or if neither
     can be decided.
     """
 
-    found: tuple[tuple[float, float, float], ...]
+    states: tuple[tuple[float, float, float], ...]
     none: bool
     infinite: bool = False
 
@@ -47,7 +47,7 @@ def solutions(cell: Cell) -> Solutions:
     --------
     >>> from nonsmooth.solver.kernels import registry
     >>> all_of = solutions(registry.load("impact")().cell)
-    >>> [f"{phi % 6.283185307:.6f}" for *_, phi in all_of.found]
+    >>> [f"{phi % 6.283185307:.6f}" for *_, phi in all_of.states]
     ['0.929644', '3.734531']
     """
     with np.errstate(all="ignore"):
@@ -66,8 +66,8 @@ def solutions(cell: Cell) -> Solutions:
     if rank < len(b):
         return Solutions((), none=False, infinite=True)
     points = on_the_circle(particular, direction)
-    states = tuple((length * x, length * rate * v, angle) for x, v, angle in points.found)
-    return replace(points, found=states)
+    states = tuple((length * x, length * rate * v, angle) for x, v, angle in points.states)
+    return replace(points, states=states)
 
 
 def _units(cell: Cell) -> tuple[float, float]:

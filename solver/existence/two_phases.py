@@ -41,11 +41,11 @@ ROUNDING, NOTHING = 1e-11, 1e-14
 class Solutions:
     """The durations and the phase of the forcing of each solution, without units.
 
-    Those `found` have relative errors below 1e-9, and are starts for Newton's method.  Near the
+    The `certain` ones have relative errors below 1e-9, and start Newton's method.  Near the
     `doubtful` times there may be a solution or none.  `complete`: there are no others.
     """
 
-    found: tuple[tuple[tuple[float, float], float], ...]
+    certain: tuple[tuple[tuple[float, float], float], ...]
     doubtful: tuple[tuple[tuple[float, float], float], ...]
     complete: bool
 
@@ -63,7 +63,7 @@ def solutions(cell: Cell) -> Solutions:
     >>> from nonsmooth.solver.kernels import registry
     >>> cell = registry.load("elastic-plastic")().cell
     >>> all_of = solutions(cell)
-    >>> [[f"{s:.6f}" for s in durations] for durations, _ in all_of.found], all_of.complete
+    >>> [[f"{s:.6f}" for s in durations] for durations, _ in all_of.certain], all_of.complete
     ([['0.898473', '2.243120']], True)
     """
 

@@ -172,7 +172,8 @@ def _of_arrays(function: Any) -> Any:
 
     def of_given(case: Given, *others: Any) -> Any:
         arrays = setting(case.cell, case.order)
-        return function(arrays._replace(kept=arrays.kept.copy()), *others)  # of this call alone
+        of_this_call = arrays._replace(evaluated=arrays.evaluated.copy())
+        return function(of_this_call, *others)
 
     return of_given
 

@@ -110,20 +110,20 @@ def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:
 
 def made(
     modules: tuple[types.ModuleType, ...],
-    names: dict[str, Any],
+    given: dict[str, Any],
     make: Make,
     *,
     of_numbers: Container[str] = (),
 ) -> dict[str, Any]:
-    """Return the joint namespace of modules and `names`, with functions made over it.
+    """Return the joint namespace of modules and `given`, with functions made over it.
 
-    Later modules replace names of earlier ones, `names` replaces both.  Placeholders, functions
-    that raise NotImplementedError, are not made: they are given, or put in later.
+    Later modules replace names of earlier ones, `given` replaces both.  Placeholders, functions
+    that raise NotImplementedError, are not made: they are `given`, or put in later.
 
     Parameters
     ----------
     of_numbers : container of str
-        The functions among `names` that return no arrays.
+        The functions among `given` that return no arrays.
     """
     namespace: dict[str, Any] = {"__builtins__": builtins}  # NumPy's imports need it
     for module in modules:
@@ -136,11 +136,11 @@ def made(
         and value.__module__ == module.__name__
         and "NotImplementedError" not in value.__code__.co_names
     }
-    callables = {name for name, q in names.items() if callable(q) and name not in of_numbers}
+    callables = {name for name, q in given.items() if callable(q) and name not in of_numbers}
     counted = set(functions) if make is rebuilt else with_arrays(functions, callables)
     for name, value in functions.items():
         namespace[name] = make(value, namespace, name in counted)
-    namespace |= names
+    namespace |= given
     return namespace
 
 

@@ -103,7 +103,7 @@ NAMES = ("mass", "damping", "stiffness", "force", "frequency", "gap", "restituti
 
 def solutions(case: Case) -> list[float]:
     """Return the phase of the forcing of each impact once a period, in closed form."""
-    return [angle for _, speed, angle in one_phase.solutions(case.cell).found if speed < 0]
+    return [angle for _, speed, angle in one_phase.solutions(case.cell).states if speed < 0]
 
 
 def orbits(case: Case, order: int) -> list[Orbit]:

@@ -139,4 +139,4 @@ def test_a_second_touch_of_the_stop_is_seen_at_once():
     assert shown_to_be_none(at(touch * (1 + 1e-6))) is None
     finding = shown_to_be_none(at(touch * (1 - 1e-6)))
     assert any("not true that the mass stays before the stop" in q for q in finding.tried)
-    assert len(one_phase.solutions(at(touch * (1 - 1e-6)).cell).found) == 2
+    assert len(one_phase.solutions(at(touch * (1 - 1e-6)).cell).states) == 2

@@ -44,7 +44,7 @@ def test_the_solutions_in_closed_form_satisfy_the_exact_equations(scene, omega, 
         case = sliding(frequency=omega, damping=c, normal_force=size)
     else:
         case = scene(frequency=omega, damping=c, gap=size)
-    found = one_phase.solutions(case.cell).found
+    found = one_phase.solutions(case.cell).states
     for x, v, angle in found:
         z, R = np.array([x, v, case.cell.duration, angle]), np.empty(4)
         exact_kernel(case.cell).residual(case.cell, z, R)
@@ -55,7 +55,7 @@ def test_the_solutions_in_closed_form_satisfy_the_exact_equations(scene, omega, 
 @pytest.mark.parametrize("values", [{}, {"gap": 0.4}, {"frequency": 2.8, "restitution": 0.8}])
 def test_what_the_search_finds_is_among_them(values):
     orbit = exact_orbit(IMPACT(**values))
-    angles = [angle for *_, angle in one_phase.solutions(orbit.case.cell).found]
+    angles = [angle for *_, angle in one_phase.solutions(orbit.case.cell).states]
     apart = [abs(math.remainder(orbit.angle - angle, 2 * math.pi)) for angle in angles]
     assert min(apart) < 1e-12
 
@@ -145,7 +145,7 @@ def test_a_constant_on_the_circle_alone_decides():
 
     assert one_phase.solutions(at(0.5)).none  # a constant force: the mass runs away
     free = one_phase.solutions(at(0.0))  # its mean position is free
-    assert (free.none, free.found) == (False, ())
+    assert (free.none, free.states) == (False, ())
 
 
 @pytest.mark.parametrize(("gap", "reaches"), [(1.04, False), (1.03, True)])

@@ -33,7 +33,7 @@ CASES = [
 def found(case):
     solutions = two_phases.solutions(case.cell)
     assert solutions.complete
-    return [RoughTimes(durations, angle, "scan") for durations, angle in solutions.found]
+    return [RoughTimes(durations, angle, "scan") for durations, angle in solutions.certain]
 
 
 @pytest.mark.parametrize("case", CASES, ids=repr)
@@ -71,7 +71,7 @@ def test_two_solutions_are_found_just_before_they_meet():
     """The larger the gap, the nearer the two contacts are to each other, until none is left."""
 
     def count(gap):
-        return len(two_phases.solutions(CLEARANCE(gap=gap, frequency=1.6).cell).found)
+        return len(two_phases.solutions(CLEARANCE(gap=gap, frequency=1.6).cell).certain)
 
     low, high = 0.5, 3.0
     assert (count(low), count(high)) == (2, 0)
@@ -79,7 +79,7 @@ def test_two_solutions_are_found_just_before_they_meet():
         middle = (low + high) / 2
         low, high = (middle, high) if count(middle) else (low, middle)
     case = CLEARANCE(gap=low, frequency=1.6)
-    ends = [durations[0] for durations, _ in two_phases.solutions(case.cell).found]
+    ends = [durations[0] for durations, _ in two_phases.solutions(case.cell).certain]
     assert len(ends) == 2
     assert 0 < abs(ends[0] - ends[1]) < 1e-3
 
@@ -100,10 +100,10 @@ def test_at_small_gaps_the_two_roots_beside_a_zero_are_told_apart(gap, damping):
     case = CLEARANCE(damping=damping, contact_stiffness=0.945, gap=gap, frequency=0.99)
     solutions = two_phases.solutions(case.cell)
     assert solutions.complete
-    assert len(solutions.found) == 2
-    (one, _), (other, _) = solutions.found
+    assert len(solutions.certain) == 2
+    (one, _), (other, _) = solutions.certain
     limit = CLEARANCE(damping=damping, contact_stiffness=0.945, gap=0.0, frequency=0.99)
-    zero = two_phases.solutions(limit.cell).found[0][0]
+    zero = two_phases.solutions(limit.cell).certain[0][0]
     # they lie on both sides of that of a gap of 0, about as far from it
     assert one[0] + other[0] == pytest.approx(2 * zero[0], abs=10 * gap**2 + 1e-9)
     assert abs(one[0] - other[0]) == pytest.approx(abs(gap), rel=5, abs=1e-12)
@@ -206,7 +206,7 @@ def test_a_load_that_touches_the_static_limit_has_no_roots_of_rounding(values):
     case = FRICTION(**values).of_motion("two-stops")
     assert [phase.name for phase in two_phases.vanishing(case.cell)] == ["slide"]
     solutions = two_phases.solutions(case.cell)
-    assert len(solutions.found) + len(solutions.doubtful) < 40
+    assert len(solutions.certain) + len(solutions.doubtful) < 40
     with pytest.raises(ns.NoOrbit, match="as slide lasts no time they hold to") as caught:
         ns.solve(case, method="ck-tau")
     assert caught.value.status == "not-converged"
@@ -240,7 +240,7 @@ def test_limits_that_nearly_meet_are_two():
 )
 def test_a_short_slide_is_told_from_none(force, count):
     case = FRICTION(force=force).of_motion("two-stops")
-    assert len(two_phases.solutions(case.cell).found) == count
+    assert len(two_phases.solutions(case.cell).certain) == count
     assert two_phases.vanishing(case.cell) == []
 
 

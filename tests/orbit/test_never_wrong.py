@@ -124,7 +124,7 @@ def test_what_the_exact_equations_disprove_is_not_returned(values, order, method
 def test_a_solution_is_no_orbit_where_the_exact_one_next_to_it_is_none():
     """The impact leaves the stop at 4e-8 m/s, and order 6 does not know in which direction."""
     case = IMPACT(damping=0, restitution=0.8, gap=0.5, frequency=math.sqrt(3) - 1e-8)
-    (grazing,) = (q for q in one_phase.solutions(case.cell).found if abs(q[1]) < 1e-6)
+    (grazing,) = (q for q in one_phase.solutions(case.cell).states if abs(q[1]) < 1e-6)
     near = from_times(case, RoughTimes((case.cell.duration,), grazing[2], "the exact times"))
     kernel = registry.quicker_kernel(case.scene, "ck-tau", None, 6)
     found = attempt(kernel, case, 6, near.times)

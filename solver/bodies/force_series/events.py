@@ -24,22 +24,22 @@ def times_of(case: Any) -> tuple[int, int]:
 def residual(case: Any, times: Vector, R: Vector) -> None:
     """Fill R with the events and the duration of the cell, at given times.
 
-    The Jacobian costs less than the residual, and is kept in `case.kept` for `jacobian`.
+    The Jacobian costs less than the residual, and is kept in `case.evaluated` for `jacobian`.
     """
     system, count = linear(case, times), len(case.degrees)
     _, _, (_, unknowns), (events, constants), _ = system
     R[:count] = events @ unknowns + constants
     if case.numbers[2] > 0:
         R[count] = times[:count].sum() - case.numbers[2]
-    slopes(case, times, system, case.kept[1:])
-    case.kept[0] = times
+    slopes(case, times, system, case.evaluated[1:])
+    case.evaluated[0] = times
 
 
 def jacobian(case: Any, times: Vector, J: Matrix) -> None:
     """Fill J with the Jacobian of the residual, kept from the residual at the same times."""
-    if not (case.kept[0] == times).all():
+    if not (case.evaluated[0] == times).all():
         residual(case, times, np.empty(len(times)))
-    J[:] = case.kept[1:]
+    J[:] = case.evaluated[1:]
 
 
 def moved(case: Any, row: int, states: Complex, angle: float, turns: Vector) -> Vector:

@@ -175,7 +175,7 @@ class Setting(NamedTuple):
         The number of unknowns, and the index of the first memory.
     numbers : ndarray, shape (3,)
         Omega, sign, and duration of the cell; the last is 0 without a forcing.
-    kept : ndarray, shape (1 + W, W)
+    evaluated : ndarray, shape (1 + W, W)
         The W times of the last residual and its Jacobian there; each solve has its own copy.
     """
 
@@ -194,7 +194,7 @@ class Setting(NamedTuple):
     sets: Integers
     size: Integers
     numbers: Vector
-    kept: Matrix
+    evaluated: Matrix
 
 
 @lru_cache(maxsize=64)

@@ -54,7 +54,7 @@ class Along(NamedTuple):
         is a part of it.
     near : ndarray of bool, shape (m,)
         Which poles are near the frequency that drives them.
-    own, drive : ndarray, shape (m,)
+    free, drive : ndarray, shape (m,)
         The modulus of the free part of each pole that is not near, and of the drive of each
         that is.
     waves, constant : ndarray, shape (F,)
@@ -71,7 +71,7 @@ class Along(NamedTuple):
     rate: Vector
     sizes: Vector
     near: Indices
-    own: Vector
+    free: Vector
     drive: Vector
     waves: Vector
     constant: Vector
@@ -131,7 +131,7 @@ def along_of(
     poles, count = phases.poles, len(rows)
     modes = modes_of(poles, omega, p, Y)
     n, m = poles.bases.shape[1], len(modes.poles)
-    own, drive = _parts(modes, poles.near[p])
+    free, drive = _parts(modes, poles.near[p])
     by_poles = np.zeros((count, 2, m), np.complex128)
     direct, fixed = np.zeros((count, 2), np.complex128), np.zeros((count, 2))
     orders, rate = np.zeros(count, np.int64), np.zeros(count)
@@ -160,7 +160,7 @@ def along_of(
         for i in range(m):
             sizes[f] += abs(complex(by_poles[f, 0, i])) * float(amounts[i])
     return Along(
-        modes, by_poles, direct, fixed, orders, rate, sizes, poles.near[p, :m], own, drive,
+        modes, by_poles, direct, fixed, orders, rate, sizes, poles.near[p, :m], free, drive,
         waves, constant, float(poles.window[p]), float(poles.growth[p]),
     )  # fmt: skip
 
@@ -190,9 +190,9 @@ def _answer(modes: Modes, near: Indices, factors: Complex) -> tuple[complex, flo
 
 
 def _parts(modes: Modes, near: Indices) -> tuple[Vector, Vector]:
-    """Return the moduli of the free part and of the drive of each pole; see `Along.own`."""
-    own, drive = np.zeros(len(modes.start)), np.zeros(len(modes.start))
-    for i in range(len(own)):
+    """Return the moduli of the free part and of the drive of each pole; see `Along.free`."""
+    free, drive = np.zeros(len(modes.start)), np.zeros(len(modes.start))
+    for i in range(len(free)):
         if near[i]:
             for k in range(3):
                 drive[i] += abs(complex(modes.drives[k, i]))
@@ -200,8 +200,8 @@ def _parts(modes: Modes, near: Indices) -> tuple[Vector, Vector]:
             transient = complex(modes.start[i])
             for k in range(3):
                 transient -= complex(modes.answers[k, i])
-            own[i] = abs(transient)
-    return own, drive
+            free[i] = abs(transient)
+    return free, drive
 
 
 def _amounts(modes: Modes, window: float) -> Vector:
@@ -229,14 +229,14 @@ def bounds(along: Along, order: int, t: float, h: float) -> Vector:
 
     Where a body moves freely, one of order 2 or more.
     """
-    modes, moduli = along.modes, np.zeros(len(along.own))
+    modes, moduli = along.modes, np.zeros(len(along.free))
     for i in range(len(moduli)):
         s, drive = complex(modes.poles[i]), float(along.drive[i])
         growth = exp(complex(min(max(s.real, 0.0) * h, LARGE))).real
         decay = exp(complex(min(s.real * t, LARGE))).real
         power = power_of(abs(s), order)
         if not along.near[i]:
-            moduli[i] = float(along.own[i]) * decay * power * growth
+            moduli[i] = float(along.free[i]) * decay * power * growth
             continue
         lasting = min(t, 1 / max(-s.real, 1e-300)) * max(decay, 1.0)
         modulus = (abs(complex(modes.start[i])) * decay + drive * (lasting + h)) * growth
@@ -267,7 +267,7 @@ def least(along: Along, t: float, size: float) -> Vector:
     moving = along.near & ~still
     if moving.any() or (modes.poles.real > 0)[~still].any():
         return np.full(len(factors), -np.inf)
-    transients = np.where(still, 0.0, along.own * np.exp(modes.poles.real * t))
+    transients = np.where(still, 0.0, along.free * np.exp(modes.poles.real * t))
     resting = (factors[:, still] @ modes.start[still]).real
     return np.asarray(along.constant + resting - along.waves - np.abs(factors) @ transients)
 
@@ -276,6 +276,6 @@ def fastest(along: Along, part: float) -> float:
     """Return the rate above which poles make no more than a part of the first form."""
     speeds = np.abs(along.modes.poles)
     order = np.argsort(speeds)[::-1]
-    sums = np.cumsum((np.abs(along.by_poles[0, 0]) * along.own)[order])
+    sums = np.cumsum((np.abs(along.by_poles[0, 0]) * along.free)[order])
     relevant = speeds[order][sums > part * along.sizes[0]]
     return float(relevant.max(initial=0.0))

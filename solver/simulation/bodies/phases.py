@@ -71,7 +71,7 @@ class Laws(NamedTuple):
         Velocity, acceleration and its rate.
     place, rounding : ndarray, shape (P, c, W)
         Displacement; moduli of the terms of the velocity, by the entries of Y.
-    seen : ndarray, shape (S, W)
+    variables : ndarray, shape (S, W)
         The variables of forms, without contact forces.
     struck : ndarray, shape (n, c)
         The change of y by impulses.
@@ -90,7 +90,7 @@ class Laws(NamedTuple):
     velocity: Matrix
     place: Matrix
     rounding: Matrix
-    seen: Matrix
+    variables: Matrix
     struck: Matrix
     switching: Matrix
     holding: Matrix

@@ -138,7 +138,7 @@ def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
             total = 0.0
             for j in range(rules.memory.shape[1]):
                 sign = float(rules.kinds[p, column.SIGN]) if j == 3 else 1.0
-                variable = value_of(rules.phases.laws.seen[j], Y)
+                variable = value_of(rules.phases.laws.variables[j], Y)
                 total += sign * float(rules.memory[i, j]) * variable
             values[i] = total
     return BodyState(state.y, state.angle, state.surface, values)

@@ -83,7 +83,7 @@ def reached(
     for j in range(len(Y)):
         rows[-1, j] = rules.forms[row, j]
         if held:
-            rows[0, j] = laws.seen[0, j] if j < n else 0.0
+            rows[0, j] = laws.variables[0, j] if j < n else 0.0
             rows[1, j] = laws.velocity[p, 0, 0, j]
     if held:
         rows[0, n + 2] = -(value_of(rows[0], Y) + speed * s)
