@@ -195,6 +195,8 @@ class Family(OfRows):
     def durations_of(self, row: FamilyRow) -> dict[str, float]:
         """Return the durations of a cell's phases in s, by name; empty without an orbit."""
         scene = self.case.scene
+        if row.motion in scene.phases and row.motion not in scene.motions:
+            return dict(zip([row.motion], row.durations or (), strict=False))  # may never end
         motion = motion_of(scene, row.motion) if row.motion else scene
         names = (name for name, _ in motion.kinds)
         return dict(zip(names, row.durations or (), strict=False))

@@ -12,6 +12,7 @@ from results_things import MAKERS, MOTIONS, thing
 
 import nonsmooth as ns
 from nonsmooth.plots.axes import LEAST, draw_errors, legend_above
+from nonsmooth.plots.families import family_figure
 from nonsmooth.solver.scenes.methods import about
 
 
@@ -182,6 +183,26 @@ def test_where_two_multipliers_become_real_their_curve_has_points(axes) -> None:
     for value in (2.44, 2.45, 2.5):  # they meet at 2.439
         exact = max(map(abs, ns.exact(case.with_value("frequency", value)).multipliers))
         assert np.interp(value, x, y) == pytest.approx(exact, rel=1e-3)
+
+
+def test_durations_of_orbits_at_the_same_value_are_drawn_apart(axes) -> None:
+    """The one stable, the other not; on a branch also where a phase never ends."""
+    spring = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0)
+    ns.family(spring, "frequency", np.linspace(1.05, 1.22, 7)).plot(axes, "times")
+    for line in axes.lines:
+        assert (np.diff(line.get_xdata()) > 0).all()
+    on_branch = ns.branch(spring, "frequency", 0.8, 1.3).plot(Figure().subplots(), "times")
+    lines = on_branch.lines
+    assert lines[0].get_label() == "contact"
+    x, y = curve(next(line for line in lines if line.get_label() == "separated"))
+    assert (x.min(), y[x < 0.84].min()) == (0.8, 1.0)
+
+
+def test_the_picture_of_a_family_explains_its_lines() -> None:
+    spring = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0)
+    figure = family_figure(ns.family(spring, "frequency", [0.82, 1.2]))
+    found = [[text.get_text() for text in q.get_texts()] for q in figure.legends]
+    assert found == [["stable", "no orbit"]]
 
 
 @pytest.mark.parametrize("kind", ["orbit", "sweep-belt", "family", "modes", "simulation"])

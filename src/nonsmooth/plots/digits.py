@@ -10,6 +10,8 @@ from matplotlib.figure import Figure
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import EXACT, shown
 
+from .axes import described, say_below
+
 if TYPE_CHECKING:
     from nonsmooth.solver.precision.digits import Kept
 
@@ -44,7 +46,7 @@ def digits_figure(case: Case, measured: "list[Kept]") -> Figure:
         axes.set_xlabel("" if method == EXACT else "order $N$")
     bar = figure.colorbar(image, ax=maps, shrink=0.8)
     bar.set_label("digits of the times")
-    figure.supxlabel(f"{case.scene.name}: {case.description}", fontsize=7, wrap=True)
+    say_below(figure, described(case))
     return figure
 
 

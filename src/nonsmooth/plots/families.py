@@ -18,7 +18,6 @@ from .axes import (
     label_once,
     legend_above,
     mark_values,
-    say_below,
     typeset,
 )
 
@@ -44,6 +43,9 @@ QUANTITIES = {
 #: The line style of orbits that are stable, unstable, neither.
 LINES = {True: "-", False: "--", None: ":"}
 
+#: The shade of durations of unstable orbits.
+PALE = "0.65"
+
 #: Parts of a curve of multipliers between two orbits.
 PARTS = 16
 
@@ -65,7 +67,7 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
     color = "0.1" if result.in_turn else about(result.method).look["color"]
     look = {"linewidth": 1.2, "color": color} | style
     if quantity == "times":
-        _draw_times(axes, result, {"linewidth": 1.2, "color": "0.2"} | style)
+        _draw_times(axes, result, style)
     else:
         for column in _columns(result.rows, quantity):
             _lines(axes, result, column, look, pairs=quantity == "multiplier")
@@ -111,14 +113,18 @@ def _lines(
     """
     along = result["value"]
     for stable, run in _runs(result):
-        kind = {"linestyle": LINES[stable]}
-        if len(set(along[run])) < len(run) and not result.in_turn:
-            kind = {"linestyle": "", "marker": "." if stable else "1"}
+        kind = _kind(result, run, LINES[stable], "." if stable else "1")
         name = {True: "stable", False: "unstable", None: "neither, to rounding"}[stable]
         x, y = along[run], values[run]
         if pairs and result.in_turn:
             x, y = _with_kinks(x, y, [result.rows[i].multipliers for i in run])
         axes.plot(x, y, **look | kind | label_once(axes, name))
+
+
+def _kind(result: "Family", run: list[int], line: str, marker: str) -> dict[str, str]:
+    """Return a line style; or a marker if a value of a family has several rows of a run."""
+    several = len({result.rows[i].value for i in run}) < len(run) and not result.in_turn
+    return {"linestyle": "", "marker": marker} if several else {"linestyle": line}
 
 
 def _with_kinks(
@@ -192,20 +198,35 @@ def name_of(scene: "LoadedScene", name: str) -> str:
 
 
 def _draw_times(axes: Any, result: "Family", style: dict[str, Any]) -> None:
-    """Draw the durations of phases relative to the period; of one, the phase of the forcing."""
+    """Draw the durations of phases relative to the period; of one, the phase of the forcing.
+
+    Those of unstable orbits are pale.
+    """
     names, along = result.case.scene.phases, result["value"]
-    if len(names) == 1:
-        axes.plot(along, result["forcing_phase"], **style)
-        axes.set_ylabel("phase of the forcing [rad]")
-        return
-    for name, line in zip(names, cycle(("-", "--", "-.", ":")), strict=False):
-        part = [
-            result.durations_of(row).get(name, np.nan) / (row.period or np.nan)
-            for row in result.rows
-        ]
-        axes.plot(along, part, **{"linestyle": line, "label": name} | style)
-    axes.set_ylabel(QUANTITIES["times"])
-    axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, frameon=False, fontsize=8)
+    kinds = zip(names, cycle(("-", "--", "-.", ":")), strict=False)
+    columns = [("", "-", result["forcing_phase"])]
+    if len(names) > 1:
+        columns = [(name, line, _parts_of_periods(result, name)) for name, line in kinds]
+    for stable, run in _runs(result):
+        shade = PALE if stable is False else "0.2"
+        for name, line, values in columns:
+            look = {"color": shade, "linewidth": 1.2} | _kind(result, run, line, ".") | style
+            label = label_once(axes, name) if name else {}
+            axes.plot(along[run], values[run], **look | label)
+        if stable is False:
+            axes.plot([], [], color=PALE, **label_once(axes, "unstable"))
+    axes.set_ylabel(QUANTITIES["times"] if len(names) > 1 else "phase of the forcing [rad]")
+    if axes.get_legend_handles_labels()[1]:
+        place = {"loc": "lower left", "bbox_to_anchor": (0, 1), "frameon": False}
+        axes.legend(**place, ncols=4, fontsize=8)
+
+
+def _parts_of_periods(result: "Family", name: str) -> "Vector":
+    """Return the durations of a phase, as parts of the periods."""
+    parts = (
+        result.durations_of(q).get(name, np.nan) / (q.period or np.nan) for q in result.rows
+    )
+    return np.array([*parts])
 
 
 def family_figure(result: "Family", log: bool = False) -> Figure:
@@ -220,7 +241,7 @@ def family_figure(result: "Family", log: bool = False) -> Figure:
     if log:
         panels[0].set_xscale("log")
     method = f"{shown(scene, result.method)}, N = {result.order}"
-    say_below(figure, f"{described(result.case, result.parameter)}; {method}")
+    frame(figure, panels[0], f"{described(result.case, result.parameter)}; {method}")
     return figure
 
 
