@@ -107,16 +107,19 @@ def _parameters(scene: Scene) -> str:
     return f"Parameters: {listed}.{source}{forced}{image}"
 
 
-def scene_named(scene: str | Scene) -> Scene:
+def scene_named(scene: str | Path | Scene) -> Scene:
     """Return a scene by its name or the path of its file.
 
     A `ValueError` suggests the scenes with the nearest names.
     """
     if isinstance(scene, Scene):
         return scene
-    if is_path(scene):
+    if not isinstance(scene, str | Path):
+        expected = "its name, the path of its file, or a Scene, which has its formulas"
+        raise ValueError(f"scene: got {scene!r:.80}, expected {expected}")
+    if is_path(str(scene)):
         return read_scene(Path(scene), text_of(Path(scene)))
-    return scenes.load(scene)
+    return scenes.load(str(scene))
 
 
 def _motion_named(scene: Scene, motion: str) -> Scene:
@@ -162,4 +165,5 @@ def _expansion(scene: Scene, method: str) -> ModuleType:
     reason = f"{scene.name} is C{class_of(scene)}"
     if scene.body is not None:
         reason = "of a body the contact forces are expanded, not the coordinates"
-    raise ValueError(f"method: got {method!r}, expected {one_of(method, names)} ({reason})")
+    expected = f"{one_of(method, names)} ({reason})"
+    raise ValueError(f"method: got {method!r:.80}, expected {expected}")

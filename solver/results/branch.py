@@ -71,11 +71,10 @@ class Branch(Family):
 
     def __str__(self) -> str:
         lines = [f"{'event':>14}  {self.parameter:>20}  motion"]
-        lines += [
-            f"{event.kind:>14}  {event.parameter:20.15g}  {event.motion or ''}"
-            f"{', in ' + event.phase if event.phase else ''}"
-            for event in self.events
-        ]
+        for event in self.events:
+            words = event.motion, event.phase and f"in {event.phase}"
+            where = ", ".join(filter(None, words))
+            lines += [f"{event.kind:>14}  {event.parameter:20.15g}  {where}".rstrip()]
         values = self["value"]
         start, end = (f"{values[i]:.6g} ({self.why_it_ended[i]})" for i in (0, -1))
         return "\n".join([*lines, f"from {self.parameter} = {start} to {end}"])

@@ -9,7 +9,7 @@ from numbers import Integral
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
-from ...nearest import nearest
+from ...nearest import nearest, one_of
 from .cell import Cell
 from .dimensionless import Units, UnitsError, units_of
 from .parameter_error import ParameterError, is_number, repeated
@@ -191,7 +191,7 @@ def check_case(case: object) -> None:
         If it is no `Case`.
     """
     if not isinstance(case, Case):
-        raise TypeError(f"case: got {case!r:.80}, expected a case of ns.scene(...)")
+        raise TypeError(f"case: got {case!r:.80}, expected a case, such as ns.scene(...)()")
 
 
 def index_of(case: Case, parameter: str) -> int:
@@ -204,8 +204,8 @@ def index_of(case: Case, parameter: str) -> int:
     """
     names = [q.name for q in case.scene.parameters]
     if parameter not in names:
-        expected = f"one of {', '.join(names)}"
-        raise ParameterError([f"parameter: got {repeated(parameter)}, expected {expected}"])
+        got = f"got {repeated(parameter)}, expected {one_of(parameter, names)}"
+        raise ParameterError([f"parameter: {got}"])
     return names.index(parameter)
 
 

@@ -241,6 +241,7 @@ def test_the_course_of_a_declared_motion_has_its_name() -> None:
     ("arguments", "words"),
     [
         (("frequenzy", 1.0, 2.0), "parameter: got 'frequenzy', expected one of mass"),
+        (("frequenzy", 1.0, 2.0), "; did you mean frequency?"),
         (("frequency", 1.0, 1.0), "range: got 1.0 to 1.0, expected two different values"),
         (("frequency", 1.3, np.nextafter(1.3, 2)), "expected two different values, not by r"),
         (("frequency", 0.0, 1.0), "frequency: got 0.0"),

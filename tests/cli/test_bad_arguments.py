@@ -76,7 +76,7 @@ def test_times_that_are_not_real(times: object) -> None:
     ],
 )
 def test_what_is_no_oscillator(function: Callable[[object], object], belt: object) -> None:
-    with pytest.raises(TypeError, match=r"case: got .*, expected a case of ns.scene"):
+    with pytest.raises(TypeError, match=r"case: got .*, expected a case, such as ns.scene"):
         function(belt)
 
 

@@ -123,6 +123,7 @@ REFUSED = {
     "sweep impact --vary": [
         ("gap=0.1", "expected NAME=FROM:TO:POINTS, such as restitution=0.3:0.6:20"),
         ("gape=0:1:3", "unknown parameter 'gape', expected one of mass"),
+        ("gape=0:1:3", "restitution; did you mean gap?"),
         ("gap=1:1:3", "two different numbers"),
         ("gap=0:1:1", "expected a whole number from 2 to 100000"),
         ("gap=0:1:3 --log", "--log: got an end"),

@@ -32,6 +32,11 @@ def test_a_method_has_two_names(method: str) -> None:
     assert found is ns.equations(method, scene="impact")
 
 
+def test_a_scene_without_its_formulas_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"scene: got <scene impact.*, expected its name, the"):
+        ns.equations("ck", scene=ns.scene("impact"))
+
+
 @pytest.mark.parametrize(("functions", "count"), [(None, 2), (1, 1), (3, 3)])
 def test_the_number_of_functions_is_two_at_an_impact_or_what_is_asked(
     functions: int | None, count: int

@@ -187,7 +187,7 @@ def test_a_resting_mass_is_no_orbit() -> None:
 @pytest.mark.parametrize(
     ("arguments", "error", "message"),
     [
-        ((IMPACT,), TypeError, "expected a case of"),
+        ((IMPACT,), TypeError, "expected a case, such as"),
         ((S1, "ck-tau", 1), ValueError, "a whole number from 2 to 400"),
         ((S1, "ck-tau", True), ValueError, "whole number"),
         ((S1, "ck-tau", 5.0), ValueError, "whole number"),

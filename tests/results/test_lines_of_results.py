@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 import pytest
 from results_things import MAKERS, thing
 
+import nonsmooth as ns
 from nonsmooth.solver.presentation import notebook
 
 #: What each kind says of itself in one line.
@@ -31,6 +32,15 @@ def test_a_line_says_what_matters(kind: str) -> None:
         values = {"phi": found.forcing_phase, "estimate": found.estimate.times}
     durations = getattr(found, "durations", ())
     assert repr(found) == LINES[kind].format(*durations, **values)
+
+
+def test_the_events_of_a_branch_are_a_line_each() -> None:
+    case = ns.scene("impact")(gap=0.5, damping=0.02)
+    head, fold, grazing, last = str(ns.branch(case, "frequency", 1.7, 2.6)).splitlines()
+    assert head.split() == ["event", "frequency", "motion"]
+    assert [fold.split()[0], *fold.split()[2:]] == ["fold"]
+    assert [grazing.split()[0], *grazing.split()[2:]] == ["grazing", "in", "flight"]
+    assert last.startswith("from frequency = 1.7")
 
 
 def test_a_line_of_the_paper_s_orbit_and_of_modes() -> None:

@@ -135,7 +135,7 @@ def test_units_do_not_matter() -> None:
 @pytest.mark.parametrize(
     ("arguments", "error", "message"),
     [
-        ({"case": 3}, TypeError, "case: got 3, expected a case of ns.scene(...)"),
+        ({"case": 3}, TypeError, "case: got 3, expected a case, such as ns.scene(...)()"),
         ({"state": 1.0}, ValueError, "state: got 1.0, expected displacement and velocity"),
         ({"state": (0, 0, 0)}, ValueError, "expected displacement and velocity"),
         ({"state": (math.nan, 0)}, ValueError, "state: got nan, expected a finite displ"),

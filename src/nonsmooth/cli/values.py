@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Generic, TypeVar
 
+from ..nearest import one_of
 from .problems import Problem
 
 #: The orders of a sweep that names none, and how several are named.
@@ -139,8 +140,8 @@ def parse_vary(
         raise Problem(f"{option}: got {text!r}, {expected}")
     parameter = name.strip().replace("-", "_")
     if parameter not in names:
-        listed = ", ".join(flag.replace("_", "-") for flag in names)
-        raise Problem(f"{option}: unknown parameter {name!r}, expected one of {listed}")
+        listed = one_of(name.replace("_", "-"), [flag.replace("_", "-") for flag in names])
+        raise Problem(f"{option}: unknown parameter {name!r}, expected {listed}")
     try:
         first, last = number(parts[0]), number(parts[1])
         low, high = sorted((float(first), float(last)))
