@@ -1,6 +1,7 @@
 """``plot`` of every result: what is drawn, where, with which words."""
 
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -196,6 +197,15 @@ def test_durations_of_orbits_at_the_same_value_are_drawn_apart(axes) -> None:
     assert lines[0].get_label() == "contact"
     x, y = curve(next(line for line in lines if line.get_label() == "separated"))
     assert (x.min(), y[x < 0.84].min()) == (0.8, 1.0)
+
+
+def test_a_branch_that_begins_at_an_event_is_drawn_as_what_follows(axes) -> None:
+    """Its first orbit has no verdict."""
+    found = ns.branch(ns.scene("impact")(gap=0.5, damping=0.02), "frequency", 1.7, 2.6)
+    rows = found.rows[[q.stable for q in found.rows].index(None) :]
+    replace(found, rows=rows, events=()).plot(axes)
+    assert {line.get_label() for line in axes.lines} & {"stable", "unstable"}
+    assert "neither, to rounding" not in {line.get_label() for line in axes.lines}
 
 
 def test_the_picture_of_a_family_explains_its_lines() -> None:

@@ -165,6 +165,8 @@ def _runs(result: "Family") -> "Iterator[tuple[bool | None, list[int]]]":
     for i in range(1, len(verdicts)):  # unknown at an event: drawn as the orbit before
         if verdicts[i] is None and rows[indices[i]].motion in judged:
             verdicts[i] = verdicts[i - 1]
+    if verdicts[:1] == [None] and rows[indices[0]].motion in judged:  # or as that behind it
+        verdicts[0] = next(q for q in verdicts if q is not None)
     for stable, group in groupby(range(len(indices)), key=lambda i: verdicts[i]):
         run = list(group)
         yield stable, indices[max(run[0] - 1, 0) : run[-1] + 1]

@@ -87,6 +87,7 @@ def simulation_figure(motion: "Simulation") -> Figure:
     words = f"the last {100 * LATE:.0f} % of the time"
     since = (1 - LATE) * motion.time
     _drawn(columns, plane, PLANE, since=since, color=colour, linewidth=1.4, label=words)
+    plane.locator_params(axis="x", nbins=4)  # labels of small numbers are long
     plane.legend(loc="lower left", bbox_to_anchor=(0, 1.0), frameon=False, fontsize=8)
     say_below(figure, described(motion.case))
     return figure

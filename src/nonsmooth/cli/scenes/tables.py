@@ -25,6 +25,7 @@ from ..columns import (
     Piece,
     certain_digits,
     filled,
+    in_short,
     table_of,
     without_rounding,
 )
@@ -216,7 +217,7 @@ def _branch(result: Branch) -> Iterator[Piece]:
             event.kind,
             f"{event.parameter:.15g}",
             f"{event.estimate:.0e}",
-            event.motion or "",
+            in_short(event.motion or ""),
             event.phase or "",
         )
     if result.events:
