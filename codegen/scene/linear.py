@@ -65,7 +65,8 @@ def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
     what = f"phase {phase.name}: equation"
     m, c, k, g, *of_memory, f = parts(phase.equation, (a, v, x, forcing, *memory), what)
     if m == 0:
-        raise SceneError(f"{what}: {phase.equation} has no acceleration a; {INSTEAD}")
+        expected = INSTEAD if phase.held is None else "of a phase that is held, expected a"
+        raise SceneError(f"{what}: {phase.equation} has no acceleration a; {expected}")
     return LinearPhase(m, c, k, -f, -g, tuple(-h for h in of_memory))
 
 

@@ -23,7 +23,7 @@ def table(**changes: object) -> str:
 WRONG: list[tuple[str | bytes, str]] = [
     ("", "no table [stick_slip]"),
     ("stick_slip = 3\n", "no table [stick_slip]"),
-    ("[belt]\nmass = 1\n", "no table [stick_slip]"),
+    ("[belt]\nmass = 1\n", "no table [stick_slip], but [belt]"),
     (b"\x00\xff\xfe\x80binary", "not a text file"),
     (b"\x00\x01\x02", "is not TOML"),
     ("[stick_slip\n", "is not TOML"),

@@ -62,6 +62,12 @@ def test_bytes_that_are_no_text(run, tmp_path: Path) -> None:
     assert refused(run, "scenes", path).startswith(f"nonsmooth: {path}")
 
 
+def test_a_file_without_its_ending_is_suggested(run, tmp_path: Path, monkeypatch) -> None:
+    write(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert "; did you mean ball.py?" in refused(run, "solve", "ball")
+
+
 def test_what_a_file_prints_is_not_a_result(run, tmp_path: Path) -> None:
     path = write(tmp_path, "print('words')\nSCENE = 3\n")
     status, out, err = run("scenes", path, "--json")

@@ -2,6 +2,7 @@
 
 import random
 import string
+from dataclasses import replace
 
 import pytest
 import sympy as sp
@@ -104,6 +105,12 @@ def test_what_cannot_be_is_said_and_what_to_use(what: str) -> None:
     assert message.endswith(INSTEAD) == instead
     assert not ("units" in message and what != "units")
     assert len(message) < 480
+
+
+def test_of_a_held_phase_the_equation_is_said() -> None:
+    rest = replace(FLIGHT, name="rest", equation=v, held=0)
+    words = "v has no acceleration a; of a phase that is held, expected a"
+    refused(lambda: scene(phases=(FLIGHT, rest)), "phase rest: equation: ", words)
 
 
 @pytest.mark.parametrize(

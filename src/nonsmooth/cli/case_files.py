@@ -44,7 +44,9 @@ def read_case(path: Path, tables: Sequence[str]) -> dict[str, object]:
     name = next((each for each in tables if each in content), tables[0])
     table = content.get(name)
     if not isinstance(table, dict):
-        raise Problem(f"--case: {path} has no table [{name}]")
+        others = ", ".join(f"[{q}]" for q in content if isinstance(content[q], dict))
+        but = f", but {others}" if others else ""
+        raise Problem(f"--case: {path} has no table [{name}]{but}")
     unknown = sorted(content.keys() - {name})
     if unknown:
         raise Problem(f"--case: {path}: unknown {unknown[0]!r}, expected only [{name}]")

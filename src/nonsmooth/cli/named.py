@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -39,6 +40,8 @@ def scene_named(text: str) -> "LoadedScene":
         return find_scene(text)
     except UnknownScene as error:
         hint = ", or the path of a scene file" if "did you mean" not in str(error) else ""
+        if Path(f"{text}.py").is_file():
+            hint = f"; did you mean {text}.py?"
         if text in structure_names():
             hint = f"; {text} is a structure, of `nonsmooth modes`"
         context = click.get_current_context(silent=True)
