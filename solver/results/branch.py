@@ -70,7 +70,7 @@ class Branch(Family):
         return f"<branch of {scene.label} along {span}: {len(self)} orbits, {events}>"
 
     def __str__(self) -> str:
-        lines = [f"{'event':>14}  {self.parameter:>20}  motion"]
+        lines = [f"{'event':>14}  {self.parameter:>20}  motion"] if self.events else []
         for event in self.events:
             words = event.motion, event.phase and f"in {event.phase}"
             where = ", ".join(filter(None, words))

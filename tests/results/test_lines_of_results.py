@@ -41,6 +41,7 @@ def test_the_events_of_a_branch_are_a_line_each() -> None:
     assert [fold.split()[0], *fold.split()[2:]] == ["fold"]
     assert [grazing.split()[0], *grazing.split()[2:]] == ["grazing", "in", "flight"]
     assert last.startswith("from frequency = 1.7")
+    assert "event" not in str(ns.branch(ns.scene("impact")(), "gap", 0.1, 0.12))
 
 
 def test_a_line_of_the_paper_s_orbit_and_of_modes() -> None:
