@@ -193,9 +193,11 @@ def test_durations_of_orbits_at_the_same_value_are_drawn_apart(axes) -> None:
     for line in axes.lines:
         assert (np.diff(line.get_xdata()) > 0).all()
     on_branch = ns.branch(spring, "frequency", 0.8, 1.3).plot(Figure().subplots(), "times")
-    lines = on_branch.lines
-    assert lines[0].get_label() == "contact"
-    x, y = curve(next(line for line in lines if line.get_label() == "separated"))
+    first, second, _, separated, *_ = on_branch.lines
+    labels = [line.get_label() for line in (first, second)]
+    assert labels == ["contact", "separated"]
+    assert (separated.get_linestyle(), separated.get_color()) == ("--", second.get_color())
+    x, y = curve(separated)
     assert (x.min(), y[x < 0.84].min()) == (0.8, 1.0)
 
 

@@ -43,8 +43,8 @@ QUANTITIES = {
 #: The line style of orbits that are stable, unstable, neither.
 LINES = {True: "-", False: "--", None: ":"}
 
-#: The shade of durations of unstable orbits.
-PALE = "0.65"
+#: The shades of durations, and of those of unstable orbits.
+DARK, PALE = "0.2", "0.65"
 
 #: Parts of a curve of multipliers between two orbits.
 PARTS = 16
@@ -209,12 +209,14 @@ def _draw_times(axes: Any, result: "Family", style: dict[str, Any]) -> None:
     columns = [("", "-", result["forcing_phase"])]
     if len(names) > 1:
         columns = [(name, line, _parts_of_periods(result, name)) for name, line in kinds]
+    for name, line, _ in columns:
+        if name:
+            axes.plot([], [], **{"color": DARK, "linestyle": line, "label": name} | style)
     for stable, run in _runs(result):
-        shade = PALE if stable is False else "0.2"
-        for name, line, values in columns:
+        shade = PALE if stable is False else DARK
+        for _, line, values in columns:
             look = {"color": shade, "linewidth": 1.2} | _kind(result, run, line, ".") | style
-            label = label_once(axes, name) if name else {}
-            axes.plot(along[run], values[run], **look | label)
+            axes.plot(along[run], values[run], **look)
         if stable is False:
             axes.plot([], [], color=PALE, **label_once(axes, "unstable"))
     axes.set_ylabel(QUANTITIES["times"] if len(names) > 1 else "phase of the forcing [rad]")
