@@ -29,6 +29,9 @@ LONGEST = 16
 #: largest: the second where a transient decays in a period, less where it lasts; and rounding.
 ONE, AGAIN, ROUNDING = 1e-3, 1e-6, 1e-10
 
+#: By which factor a difference of states is at least reduced that is left of a transient.
+LESS = 0.999
+
 #: Least size of a displacement or a velocity, as a part of the other over a turn by 1 rad.
 LEAST = 1e-3
 
@@ -198,12 +201,24 @@ def _classified(
 
 
 def _period(tail: Matrix, decay: float) -> int | None:
-    """Return after how many periods of the forcing states repeat, twice; None if never."""
-    for period in range(1, LONGEST + 1):
-        pairs = tail[-period:] - tail[-2 * period : -period]
-        if np.abs(pairs).max() <= max(-AGAIN * math.expm1(-decay * period), ROUNDING):
-            return period
+    """Return after how many periods of the forcing states repeat, twice; None if never.
+
+    What is left of a transient may change its sign, or turn, within a few periods: states that
+    differ little, and ever less, are one.
+    """
+    turns = range(1, LONGEST + 1)
+    for period in turns:
+        if _off(tail, period) <= max(-AGAIN * math.expm1(-decay * period), ROUNDING):
+            before = tail[:-period]
+            parts = (q for q in turns if period % q == 0 and _off(tail, q) <= ONE)
+            less = (q for q in parts if _off(tail, q) <= max(LESS * _off(before, q), 2 * AGAIN))
+            return next(less, period)
     return None
+
+
+def _off(tail: Matrix, period: int) -> float:
+    """Return how much the last states differ from those some periods before."""
+    return float(np.abs(tail[-period:] - tail[-2 * period : -period]).max())
 
 
 def _followed(

@@ -79,6 +79,12 @@ def test_what_decays_in_millions_of_periods_has_not_settled() -> None:
     assert ns.basins(damped, [0.0, 1e9], [0.0]).index.tolist() == [[-1, -1]]
 
 
+def test_a_transient_that_changes_sign_each_period_is_no_attractor() -> None:
+    ringing = ns.scene("clearance")(damping=0.034, frequency=2.0, gap=100.0)
+    (each_period,) = ns.basins(ringing, [-1.0, 1.0], [0.0], 300).attractors
+    assert each_period.cycles == 1
+
+
 def test_rows_may_be_computed_elsewhere(found) -> None:
     with ThreadPoolExecutor(2) as executor:
         other = ns.basins(SPRING, AXIS, AXIS, 200, executor)
