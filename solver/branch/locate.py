@@ -130,9 +130,12 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
 def estimated(event: Found, after: Place, length: float) -> Found:
     """Return an event with its estimate, by locating it again from the end of the step."""
     piece, value = event.piece, event.value
-    least = float(np.spacing(abs(value)))
+    least, ends = float(np.spacing(abs(value))), (0.0, -BACK * length)
+    if event.kind == "torus":  # other multipliers may cross the circle in the same step
+        at = float(after.tangent @ ((event.place.y - after.y) * piece.along.weights))
+        ends = at - SHORT * length, at + SHORT * length
     try:
-        _, place = root(piece, after, (0.0, -BACK * length), event.monitor)
+        _, place = root(piece, after, ends, event.monitor)
     except NoStepError:  # behind a phase that has no duration nothing is smooth
         return replace(event, estimate=max(least, event.estimate))
     return replace(event, estimate=max(least, abs(piece.value(place.y) - value)))

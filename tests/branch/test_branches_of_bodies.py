@@ -143,6 +143,11 @@ UNSTABLE = {
         {"mass": 0.893, "damping": 0.1383, "stiffness": 1.3825}, "frequency", (0.5, 0.52),
         {"torus": 1, "fold": 1},
     ),
+    # another multiplier crosses it in the same step
+    "a flip before a torus": (
+        {"mass": 1.193, "damping": 0.06, "gap": 0.202, "restitution": 0.68}, "frequency",
+        (0.543, 0.6), {"flip": 1, "torus": 1},
+    ),
 }  # fmt: skip
 
 
@@ -155,6 +160,7 @@ def test_what_is_unstable_changes_only_where_something_happens(name: str) -> Non
     events = {id(event.place): event for event in found.events()}
     kinds = Counter(event.kind for event in events.values() if not event.changes)
     assert kinds == expected
+    assert max(event.estimate for event in events.values()) < 1e-12
     before, crossed = None, 0
     for piece, place in found.points():
         event = events.get(id(place))
