@@ -31,8 +31,9 @@ from ..stability.cell_map import cell_map, end_rates
 #: Size of the last correction, before quadratic convergence; most of the first ratio of two.
 CLOSE, FIRST_FALL = 1e-9, 0.1
 
-#: Least step between two points, as a part of it; difference of orbits that are equal.
-SHORTEST, SAME = 1.0 / 16, 1e-6
+#: Least step between two points, as a part of it, and that for a tangent; difference of orbits
+#: that are equal.
+SHORTEST, PROBE, SAME = 1.0 / 64, 1e-4, 1e-6
 
 #: Changes of row and column to the right, left, up, down.  The opposite of side s is s ^ 1.
 DOWN, ALONG = (0, 0, 1, -1), (1, -1, 0, 0)
@@ -85,9 +86,15 @@ def continued(
     """Continue an orbit from one point to another; whether that succeeds, and the orbit.
 
     slope : ndarray, shape (n,)
-        Predicted change of the orbit.
+        Predicted change of the orbit; zero if unknown.
     """
     t, h, orbit, rate = 0.0, 1.0, z, slope
+    if not np.any(slope):  # unknown: along the tangent
+        trial = z.copy()
+        a, b = at[0] + PROBE * (to[0] - at[0]), at[1] + PROBE * (to[1] - at[1])
+        converged, _, _ = settled(plane, trial, a, b)
+        if converged:
+            rate = (trial - z) / PROBE
     while t < 1:
         trial, u = orbit + h * rate, t + h
         a, b = at[0] + u * (to[0] - at[0]), at[1] + u * (to[1] - at[1])

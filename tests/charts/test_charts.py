@@ -48,6 +48,13 @@ def test_a_curve_is_found_once_though_many_lines_cross_it() -> None:
     assert sorted(curve.kind for curve in found) == ["flip", "fold", "grazing"]
 
 
+def test_orbits_that_change_much_between_points_are_followed() -> None:
+    """A mass with dry friction that hardly moves: its stops become shorter like a root."""
+    friction = ns.scene("dry-friction")(damping=0.02)
+    chart = ns.chart(friction, {"force": (0.33, 0.45, 5), "frequency": (0.4, 0.9, 7)})
+    assert {name for row in chart.motion for name in row} == {"two-stops", "sliding"}
+
+
 @pytest.fixture(scope="module")
 def found() -> ns.Chart:
     return ns.chart(STOP, AXES)
