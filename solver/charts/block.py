@@ -34,9 +34,12 @@ def linked(branches: Family, equations: Any, make: linking.Make) -> dict[str, An
 
 
 #: The functions of maps for one mass, and for bodies.
-FAMILY = Family(partial(linked, walk.FAMILY), (*MODULES, walk, following))
+FAMILY = Family(partial(linked, walk.FAMILY), (*MODULES, walk, following), long_calls=True)
 OF_BODIES = Family(
-    partial(linked, BODIES), (*BODIES.modules, walk, following), seconds=BODIES.seconds
+    partial(linked, BODIES),
+    (*BODIES.modules, walk, following),
+    seconds=BODIES.seconds,
+    long_calls=True,
 )
 
 

@@ -30,12 +30,15 @@ class Family:
         one, each function that is called has its own account.
     seconds : float
         Time that compiling takes.
+    long_calls : bool
+        Whether a call in plain Python may take seconds: what numba's cache has is used at once.
     """
 
     link: Callable[[ModuleType, Make], dict[str, Any]]
     modules: tuple[ModuleType, ...]
     entry: Any = None
     seconds: float = COMPILE
+    long_calls: bool = False
 
     def account(self, method: str) -> Account:
         """Return the account of the generated module of a method."""
@@ -86,7 +89,7 @@ class Family:
         Each function has its own account: one that is called now and then is not compiled.
         """
         account = self.account_of(module, function)
-        if account.pays():
+        if account.pays() or (self.long_calls and account.is_cached()):
             account.is_compiled = True
             return self.compiled(module)[function](*arguments)
         with account.spending():

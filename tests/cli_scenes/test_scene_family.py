@@ -174,7 +174,7 @@ def test_a_family_goes_over_from_one_motion_to_another(between) -> None:
 def test_what_shows_a_family_of_several_motions(between, run, tmp_path: Path) -> None:
     ns.save(between, tmp_path / "between.json")
     assert ns.load(tmp_path / "between.json") == between
-    slide, stop = between.plot(quantity="times").lines
+    _, _, slide, stop = between.plot(quantity="times").lines  # two are for the legend
     expected = [row.durations[1] / row.period for row in between.rows[:2]]
     assert list(stop.get_ydata()[:2]) == expected
     assert np.isnan(stop.get_ydata()[2:]).all()

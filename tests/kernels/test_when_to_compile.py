@@ -141,6 +141,23 @@ def test_a_function_that_is_called_now_and_then_is_not_compiled(monkeypatch) -> 
     assert not family.account_of(__name__, "fourfold").is_compiled
 
 
+def test_what_may_take_long_is_taken_from_the_cache_at_once(
+    account, monkeypatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(Family, "account_of", lambda *_: account)
+    monkeypatch.setattr(Family, "compiled", lambda *_: {"double": lambda x: "compiled"})
+    short, long = (
+        Family(lambda module, make: {"double": double}, (), long_calls=long_calls)
+        for long_calls in (False, True)
+    )
+    assert long.call(__name__, "double", 3.0) == 6.0
+    account.seconds = 0.0
+    cached(account, tmp_path)
+    monkeypatch.setattr(account, "_looked", -1.0)
+    assert short.call(__name__, "double", 3.0) == 6.0
+    assert long.call(__name__, "double", 3.0) == "compiled"
+
+
 def double(x):
     return 2 * x
 
