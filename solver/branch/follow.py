@@ -103,8 +103,9 @@ def follow(
                 if closed is not None and place is places[-1]:
                     segment.why = CLOSED
             except ArithmeticError as error:
-                reach = error.reach if isinstance(error, NoStepError) else None
-                length = float(lengths[-1]) / 2 if reach is None else UP_TO * reach
+                reach = error.reach if isinstance(error, NoStepError) else np.inf
+                last = float(lengths[-1])
+                length = UP_TO * reach if reach <= UP_TO * last else last / 2
                 segment.why = "" if length > LEAST_STEP else _why_stuck(piece, place)
         elif why == GROWN:
             try:

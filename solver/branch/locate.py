@@ -26,8 +26,8 @@ ROUNDING = 4 * float(np.finfo(float).eps)
 #: Tolerance of the root of a monitor, as a part of a step.
 NEAR = 1e-14
 
-#: A search ends where a monitor is `SMALL` as a part of its values at the ends of the step, and
-#: so many values in turn have not halved it: the rest is rounding.
+#: Where a monitor is this small, as a part of its values at the ends of the step, and so many
+#: values in turn have not halved it, the rest is rounding.
 SMALL, STALLED = 1e-7, 2
 
 #: Part of a step beside a fold or a flip in which no torus is looked for; least imaginary part
@@ -82,6 +82,40 @@ class Found:
         return self.piece.value(self.place.y)
 
 
+@dataclass
+class Search:
+    """The lowest value of a monitor in the search for its root.
+
+    Parameters
+    ----------
+    size, small : float
+        The larger value at the ends; and what is small beside both.
+    at, least : float
+        Where it was lowest, and how low.
+    stalls : int
+        How many values in turn have not halved it.
+    """
+
+    size: float
+    small: float
+    at: float = np.nan
+    least: float = np.inf
+    stalls: int = 0
+
+    @classmethod
+    def between(cls, one: float, other: float) -> "Search":
+        """Return a search from the values at both ends; one of them may be NaN."""
+        return cls(float(np.fmax(one, other)), SMALL * float(np.fmin(one, other)))
+
+    def is_over(self, at: float, value: float) -> bool:
+        """Whether all beyond the next value is rounding."""
+        self.stalls = 0 if value <= self.least / 2 else self.stalls + 1
+        if value < self.least:
+            self.at, self.least = at, value
+        is_settled = self.least <= self.small and self.stalls >= STALLED
+        return value <= ROUNDING * self.size or is_settled
+
+
 def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tuple[float, Place]:
     """Return where in a part of a step a monitor vanishes, and the orbit there (Brent).
 
@@ -102,28 +136,20 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
     try:
         is_count = i - (len(before.monitors) - OWN) == OUTSIDE
         monitor = beyond_circle(piece, *map(place_at, ends)) if is_count else of_monitor
-
-        one, other = (abs(monitor(place_at(at))) for at in ends)
-        size, small = float(np.fmax(one, other)), SMALL * float(np.fmin(one, other))
-        least, lowest, stalls = size, ends[1], 0
+        search = Search.between(*(abs(monitor(place_at(at))) for at in ends))
 
         def value(at: float) -> float:
-            nonlocal least, lowest, stalls
             height = monitor(place_at(at))
-            if np.isnan(height):
-                return size
-            stalls = 0 if abs(height) <= least / 2 else stalls + 1
-            if abs(height) < least:
-                least, lowest = abs(height), at
-            is_noise = stalls == STALLED and least <= small
-            return 0.0 if is_noise or abs(height) <= ROUNDING * size else height
+            if np.isnan(height):  # no orbit there that has it
+                return search.size
+            return 0.0 if search.is_over(at, abs(height)) else height
 
         at = float(
             brentq(value, *ends, xtol=NEAR * max(map(abs, ends)), rtol=NEAR, maxiter=200)
         )
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
-    at = lowest if least <= small else at
+    at = search.at if search.least <= search.small else at
     return at, place_at(at)
 
 

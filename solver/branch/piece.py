@@ -53,9 +53,9 @@ class NoStepError(ArithmeticError):
     """
 
     @property
-    def reach(self) -> float | None:
-        """How far in the step there are orbits; None if that was not found."""
-        return float(self.args[0]) if self.args else None
+    def reach(self) -> float:
+        """How far in the step there are orbits; infinite if that was not found."""
+        return float(self.args[0]) if self.args else np.inf
 
 
 @dataclass(frozen=True, eq=False)
