@@ -1,33 +1,27 @@
 """Branches of a case along a parameter: that of one orbit, or all that are found."""
 
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from .branch.branch import BothWays, Bounds, go, orbits_at, start_of
+from .beside import Expansion
+from .branch.branch import BothWays, Bounds, go, lasts_at, orbits_at, start_of
 from .branch.orders.change import doubled
-from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
 from .exact import exact_orbit
 from .existence.known import are_one, known_orbits
-from .kernels import registry
+from .existence.reasons import WithoutSwitches, motions_without_switches
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
 from .results.branch import Branch
-from .results.family import Beside
 from .results.interrupted import Interrupted
 from .results.orbit import Orbit
 from .scenes.case import Case, check_case, index_of
 from .scenes.loaded import UnknownScene
-from .scenes.methods import FIRST
-from .scenes.parameter_error import ParameterError, is_number, plain, repeated
-from .search import check_order
-from .solve import number_of_functions, orbit_beside
-
-#: Order of an expansion beside a branch, where none is named.
-ORDER = 10
+from .scenes.orders import OrderedScene
+from .scenes.parameter_error import ParameterError, is_number, repeated
 
 #: Values at which orbits are looked for where all branches are wanted.
 VALUES = 7
@@ -46,46 +40,8 @@ NEAR = 1e-5
 
 Seen = Callable[[float], None]
 
-
-@dataclass(frozen=True)
-class Expansion:
-    """An expansion that is solved beside each orbit of a branch; without an order, none."""
-
-    method: str = "exact"
-    order: int = 0
-    functions: int | None = None
-
-    @classmethod
-    def checked(
-        cls, case: Case, method: str | None, order: int | None, functions: int | None
-    ) -> "Expansion":
-        """Return what users ask for: nothing, without a method and an order.
-
-        Raises
-        ------
-        ValueError
-            If it cannot be computed.
-        """
-        if method is None and order is None:
-            if functions is not None:
-                raise ValueError(f"functions: got {functions!r}, expected beside a method")
-            return cls()
-        name = registry.generic_method(case.scene, FIRST if method is None else method)
-        count = number_of_functions(case, name, plain(functions))
-        kernel = registry.kernel(case.scene, name, count)
-        return cls(name, check_order(kernel, ORDER if order is None else order), count)
-
-    def beside(self, piece: Piece, place: Place) -> Beside | None:
-        """Return its orbit next to one of a branch; None without one."""
-        exact = piece.orbit(place.y) if self.order else None
-        if exact is None or not exact.outcome.converged:
-            return None
-        with suppress(ArithmeticError, UnknownScene, NoOrbit):
-            orbit = orbit_beside(exact, self.method, self.order, self.functions)
-            if orbit is not None and orbit.errors is not None:
-                times = orbit.period, orbit.forcing_phase, orbit.durations
-                return Beside(*times, orbit.errors)
-        return None
+#: What a branch may begin with.
+Start = ExactOrbit | WithoutSwitches
 
 
 def branch(
@@ -109,7 +65,8 @@ def branch(
     ----------
     case : Case
         The oscillator.  The branch begins at its orbit if its own value of the parameter is
-        in the range; else at an orbit found at the ends, the middle or the quarters of it.
+        in the range; else at an orbit found at the ends, the middle or the quarters of it; else
+        at a motion without switches there.
     parameter : str
         The name of the parameter.
     first, last : float
@@ -185,8 +142,9 @@ def branches(
 ) -> list[Branch]:
     """Return the branches of all orbits that are found at a few values of a parameter.
 
-    So coexisting orbits and isolated branches are found.  Branches of doubled period are
-    followed from each flip, and unsymmetric ones from where symmetry is lost.
+    So coexisting orbits and isolated branches are found, and motions without switches that no
+    orbit becomes.  Branches of doubled period are followed from each flip, and unsymmetric ones
+    from where symmetry is lost.
 
     Parameters
     ----------
@@ -229,18 +187,45 @@ def every_way(
     without its symmetry where an orbit loses it.
     """
     earlier: list[BothWays] = []
-    for value in map(float, np.linspace(*bounds, values)):
-        for orbit in _orbits(case.with_value(parameter, value)):
-            orbits_there = (q for followed in earlier for q in orbits_at(followed, value))
-            if any(are_one(orbit, other) for other in orbits_there):
-                continue
-            followed = BothWays(index_of(case, parameter))
-            with suppress(ArithmeticError):  # it is not isolated
-                go(followed, start_of(orbit, followed.index, bounds), progress=progress)
-                earlier.append(followed)
-                yield followed
+    for value, start in _starts(case, parameter, map(float, np.linspace(*bounds, values))):
+        if any(_is_on(followed, start, value) for followed in earlier):
+            continue
+        followed = BothWays(index_of(case, parameter))
+        with suppress(ArithmeticError):  # it is not isolated
+            go(followed, start_of(start, followed.index, bounds), progress=progress)
+            earlier.append(followed)
+            yield followed
     for followed in earlier:
         yield from _doubled(followed, beside, progress)
+
+
+def _starts(
+    case: Case, parameter: str, values: Iterable[float]
+) -> Iterator[tuple[float, Start]]:
+    """Yield the orbits that are found at some values, then the motions without switches."""
+    cases = []
+    for value in values:
+        with suppress(ParameterError):  # there is no such oscillator
+            cases.append((value, case.with_value(parameter, value)))
+    for find in (_orbits, _motions_for_ever):
+        for value, at_value in cases:
+            yield from ((value, start) for start in find(at_value))
+
+
+def _is_on(followed: BothWays, start: Start, value: float) -> bool:
+    """Whether an orbit or a motion without switches is on a branch."""
+    if isinstance(start, WithoutSwitches):
+        return lasts_at(followed, start.phase, value)
+    return any(are_one(start, other) for other in orbits_at(followed, value))
+
+
+def _motions_for_ever(case: Case) -> list[WithoutSwitches]:
+    """Return the motions of a case without switches; none if orbits of another kind are meant.
+
+    Such are those of a given order of phases, or of several periods of the forcing.
+    """
+    any_order = not isinstance(case.scene, OrderedScene) and case.cycles == 1
+    return motions_without_switches(case) if any_order else []
 
 
 def _doubled(parent: BothWays, kinds: Container[str], progress: Seen) -> Iterator[BothWays]:
@@ -281,8 +266,8 @@ def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
     return ends[0], ends[1]
 
 
-def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
-    """Return an orbit from which a branch can be followed.
+def _start(case: Case, parameter: str, bounds: Bounds) -> Start:
+    """Return an orbit from which a branch can be followed, or else a motion without switches.
 
     Where there is no such oscillator at some of the values, it is looked for at the others.
     """
@@ -290,16 +275,21 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
     values = [value_of_case] if low <= value_of_case <= high else []
     tried: list[str] = []
     errors: list[ParameterError] = []
+    without_switches: list[WithoutSwitches] = []
     parts = ((1 - part) * low + part * high for part in STARTS)  # the ends are exact
     for value in dict.fromkeys([*values, *parts]):
         try:
-            return exact_orbit(case.with_value(parameter, value))
+            case_at_value = case.with_value(parameter, value)
+            without_switches += _motions_for_ever(case_at_value)
+            return exact_orbit(case_at_value)
         except NoOrbit as finding:
             reasons = (finding.reason,) if finding.proven else finding.reasons
             tried += [f"at {parameter} = {value:g}: {why}" for why in reasons]
         except ParameterError as error:
             errors.append(error)
             tried.append(f"at {parameter} = {value:g}: {error}")
+    if without_switches:
+        return without_switches[0]
     if len(errors) == len(tried):
         raise errors[0]
     words = f"{case.scene.label}: no orbit was found from which a branch could be followed"

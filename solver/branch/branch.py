@@ -3,15 +3,19 @@
 from bisect import bisect
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
 
 from ..arrays import Vector
+from ..bodies.exact import evaluated
+from ..existence.reasons import WithoutSwitches
 from ..orbit.exact_orbit import ExactOrbit
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.orders import Order, OrderedScene, Step
+from ..simulation.lasting import response
 from .bodies.course import BodyCourse
 from .course import Course
 from .follow import CLOSED, PART, Segment, follow, in_units
@@ -89,7 +93,9 @@ def course_of(case: Case) -> Course:
     return kind(base, Order(steps, scene.half_period), case.cycles)
 
 
-def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Place]:
+def start_of(
+    orbit: ExactOrbit | WithoutSwitches, index: int, bounds: Bounds
+) -> tuple[Piece, Place]:
     """Return an exact orbit as a place on a branch, its tangent towards larger parameters.
 
     Of a symmetric orbit only a half is followed: else two phases would vanish together, and the
@@ -101,7 +107,13 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
         If its equations are singular.
     """
     case, course = orbit.case, course_of(orbit.case)
-    unknowns = np.append(course.unknowns(orbit), case.numbers[index])
+    if isinstance(orbit, WithoutSwitches):
+        step = Step(course.base.phases.index(orbit.phase))
+        course = replace(course, order=Order((step,)), endless=True, units=case.units)
+        z = for_ever(course, case.numbers)
+    else:
+        z = course.unknowns(orbit)
+    unknowns = np.append(z, case.numbers[index])
     piece = Piece.at(course, case, index, bounds, unknowns)
     y = piece.of_number(unknowns)
     half = symmetric(piece, y)
@@ -119,6 +131,37 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
         place = piece.place(piece.corrected(y, border), border)
     piece.place(place.y, -place.tangent)  # so it can be followed both ways
     return piece, place
+
+
+def for_ever(course: Course, numbers: tuple[float, ...]) -> Vector:
+    """Return the unknowns of a motion without switches, the response to the forcing.
+
+    Its states are linear in cosine and sine of the phase of the forcing at which its cell
+    begins.  It begins where the velocity, that of the first contact, vanishes.
+
+    Parameters
+    ----------
+    course : Course
+        Of the phase that never ends.
+    numbers : tuple of float
+        The parameters, in its units.
+    """
+    cell = course.cell(numbers)
+
+    def begun(angle: float) -> Vector:
+        if isinstance(cell, BodyCell):
+            state = evaluated(cell, np.array([cell.duration, angle])).starts[0]
+        else:
+            mean, wave = response(cell.phases[0], cell.omega) or (np.nan, 0j)
+            turned = wave * np.exp(1j * angle)
+            state = np.array([mean + turned.real, -cell.omega * turned.imag])
+        return course.gathered(numbers, [state], np.array([cell.duration]), angle)
+
+    equations = course.case_of(cell, [])
+    first, second = (
+        course.moving_at(equations, begun(angle), 0, 0.0)[1] for angle in (0.0, np.pi / 2)
+    )
+    return begun(float(np.arctan2(-first, second)))
 
 
 def go(
@@ -234,6 +277,17 @@ def orbits_at(branch: BothWays, value: float) -> Iterator[ExactOrbit]:
         orbit = _exactly(piece, y, value)
         if orbit is not None:
             yield orbit
+
+
+def lasts_at(branch: BothWays, phase: str, value: float) -> bool:
+    """Whether a branch has the motion without switches of a phase at a value."""
+    points = [(q.value(place.y), q.course) for q, place in branch.points()]
+    return any(
+        course.endless
+        and course.motion == phase
+        and min(start, end) <= value <= max(start, end)
+        for (start, course), (end, _) in pairwise(points)
+    )
 
 
 def _exactly(piece: Piece, y: Vector, value: float) -> ExactOrbit | None:

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import signal
 from itertools import islice
 from pathlib import Path
@@ -21,6 +22,7 @@ from nonsmooth.solver.branch.bodies.arrays import UNKNOWN
 from nonsmooth.solver.branch.branch import course_of, start_of
 from nonsmooth.solver.branch.extended import case_at, jacobian_along, residual_along
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.flow.exact_system import arrays
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
@@ -292,13 +294,51 @@ def test_a_branch_that_begins_at_an_end_has_it_once_and_exactly(end) -> None:
 
 def test_no_orbit_to_start_from_says_what_was_tried() -> None:
     with pytest.raises(NoOrbit) as caught:
-        ns.branch(ns.scene("impact")(gap=50), "restitution", 0.5, 0.9)
+        ns.branch(ns.scene("dry-friction")(force=0.1), "damping", 0.05, 0.9)
     assert "no orbit was found from which a branch could be followed" in str(caught.value)
     tried = caught.value.reasons
     assert [text.partition(":")[0] for text in tried[:2]] == [
-        "at restitution = 0.6",
-        "at restitution = 0.5",
+        "at damping = 0.1",
+        "at damping = 0.05",
     ]
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "ends"),
+    [
+        ("clearance", {"gap": 20.0}, (0.3, 3.0)),
+        ("impact", {"gap": 50.0, "damping": 0.05}, (0.4, 0.9)),
+        ("beam-clearance", {"gap": 1.0}, (20.0, 80.0)),
+    ],
+)
+def test_without_an_orbit_a_branch_begins_at_a_motion_without_switches(
+    name, values, ends
+) -> None:
+    case = ns.scene(name)(**values)
+    (found,) = ns.branches(case, "frequency", *ends)
+    assert {row.value for row in ns.branch(case, "frequency", *ends)} >= set(ends)
+    assert found.why_it_ended == ("the end of the range",) * 2
+    for row in found.rows[:: len(found) // 5]:
+        (motion,) = motions_without_switches(case.with_value("frequency", row.value))
+        expected = motion.least, motion.largest
+        assert row.motion == motion.phase
+        assert row.stable is motion.stable
+        assert row.extremes["displacement"] == pytest.approx(expected, rel=1e-11)
+
+
+def test_a_motion_without_switches_is_followed_to_where_it_touches() -> None:
+    """Near resonance, between all values at which orbits are looked for."""
+    spring = ns.scene("clearance")(force=0.05, damping=0.05, gap=0.8, contact_stiffness=0.3)
+    found = ns.branch(spring, "frequency", 0.2, 2.07)
+    touches = [
+        math.sqrt(1 - 0.05**2 / 2 + sign * math.sqrt(0.05**4 / 4 - 0.05**2 + (0.05 / 0.8) ** 2))
+        for sign in (-1, 1)
+    ]
+    ends = [q.parameter for q in found.events if q.kind == "grazing"]
+    assert ends == pytest.approx(touches, rel=1e-12)
+    assert {row.motion for row in found} == {None, "separated"}
+    with pytest.raises(NoOrbit):
+        ns.branch(spring.with_cycles(2), "frequency", 0.2, 0.5)
 
 
 def test_an_orbit_that_is_outside_of_the_range_is_refused() -> None:
