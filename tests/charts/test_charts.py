@@ -55,6 +55,12 @@ def test_orbits_that_change_much_between_points_are_followed() -> None:
     assert {name for row in chart.motion for name in row} == {"two-stops", "sliding"}
 
 
+def test_where_nothing_is_touched_the_motion_has_no_switches() -> None:
+    far = ns.scene("clearance")(force=0.05)
+    chart = ns.chart(far, {"frequency": (0.3, 3, 4), "gap": (10, 30, 3)})
+    assert {name for row in chart.motion for name in row} == {"only separated"}
+
+
 @pytest.fixture(scope="module")
 def found() -> ns.Chart:
     return ns.chart(STOP, AXES)
