@@ -9,16 +9,14 @@ from itertools import pairwise
 import numpy as np
 
 from ..arrays import Vector
-from ..bodies.exact import evaluated
 from ..existence.reasons import WithoutSwitches
 from ..orbit.exact_orbit import ExactOrbit
-from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.orders import Order, OrderedScene, Step
-from ..simulation.lasting import response
 from .bodies.course import BodyCourse
 from .course import Course
 from .follow import CLOSED, PART, Segment, follow, in_units
+from .for_ever import for_ever
 from .locate import Found
 from .meeting import halved, symmetric
 from .orders.change import beyond
@@ -131,37 +129,6 @@ def start_of(
         place = piece.place(piece.corrected(y, border), border)
     piece.place(place.y, -place.tangent)  # so it can be followed both ways
     return piece, place
-
-
-def for_ever(course: Course, numbers: tuple[float, ...]) -> Vector:
-    """Return the unknowns of a motion without switches, the response to the forcing.
-
-    Its states are linear in cosine and sine of the phase of the forcing at which its cell
-    begins.  It begins where the velocity, that of the first contact, vanishes.
-
-    Parameters
-    ----------
-    course : Course
-        Of the phase that never ends.
-    numbers : tuple of float
-        The parameters, in its units.
-    """
-    cell = course.cell(numbers)
-
-    def begun(angle: float) -> Vector:
-        if isinstance(cell, BodyCell):
-            state = evaluated(cell, np.array([cell.duration, angle])).starts[0]
-        else:
-            mean, wave = response(cell.phases[0], cell.omega) or (np.nan, 0j)
-            turned = wave * np.exp(1j * angle)
-            state = np.array([mean + turned.real, -cell.omega * turned.imag])
-        return course.gathered(numbers, [state], np.array([cell.duration]), angle)
-
-    equations = course.case_of(cell, [])
-    first, second = (
-        course.moving_at(equations, begun(angle), 0, 0.0)[1] for angle in (0.0, np.pi / 2)
-    )
-    return begun(float(np.arctan2(-first, second)))
 
 
 def go(

@@ -16,7 +16,7 @@ from itertools import groupby, product
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Complex, Matrix, Vector
 from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
 from ..bodies.part import later, parts_of, phase_map, wave
@@ -262,16 +262,10 @@ def in_one_phase(cell: BodyCell, p: int) -> tuple[float, float, bool] | None:
     The third value is whether that is stable.  None if it violates a demand of the phase, or
     the body moves freely.
     """
-    part, phase = parts_of(cell)[p], cell.phases[p]
-    A, inputs, rows = part.lawful.A, part.lawful.inputs, part.lawful.rows
-    n, turn = len(A), 1j * cell.omega * np.eye(len(A))
-    if part.lawful.still.shape[1] or not phase.demands:
+    part, phase, states = parts_of(cell)[p], cell.phases[p], steady(cell, p)
+    if states is None or not phase.demands:
         return None
-    try:
-        wave = np.linalg.solve(turn - A, inputs[:, 0] - 1j * inputs[:, 1])
-        still = np.linalg.solve(A, -inputs[:, 2])
-    except np.linalg.LinAlgError:
-        return None
+    (still, wave), rows, n = states, part.lawful.rows, len(states[0])
     mean = rows[:, :n] @ still + rows[:, n + 2]
     swing = rows[:, :n] @ wave + rows[:, n] - 1j * rows[:, n + 1]
     for _, form in phase.demands:
@@ -284,3 +278,22 @@ def in_one_phase(cell: BodyCell, p: int) -> tuple[float, float, bool] | None:
 def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
     """Whether two solutions have the same times."""
     return times_apart(one, other.cell_durations, other.angle) <= SAME
+
+
+def steady(cell: BodyCell, p: int) -> tuple[Vector, Complex] | None:
+    """Return mean and complex amplitude of the state in the response of phase p alone.
+
+    None if there is none, or the body moves freely.
+    """
+    lawful = parts_of(cell)[p].lawful
+    A, inputs = lawful.A, lawful.inputs
+    if lawful.still.shape[1]:
+        return None
+    try:
+        wave = np.linalg.solve(
+            1j * cell.omega * np.eye(len(A)) - A, inputs[:, 0] - 1j * inputs[:, 1]
+        )
+        mean = np.linalg.solve(A, -inputs[:, 2])
+    except np.linalg.LinAlgError:
+        return None
+    return np.asarray(mean, float), np.asarray(wave, complex)

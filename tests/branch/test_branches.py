@@ -326,6 +326,14 @@ def test_without_an_orbit_a_branch_begins_at_a_motion_without_switches(
         assert row.extremes["displacement"] == pytest.approx(expected, rel=1e-11)
 
 
+def test_a_motion_without_switches_may_be_neutral_at_the_start() -> None:
+    """A mode of twice the frequency leaves the periodic state open, but not the response."""
+    beam = ns.scene("beam-clearance")(gap=1.0, modes=2, ratio=0.0)
+    fast = float(np.sqrt(beam.cell.body.squares[1])) / beam.units.time
+    found = ns.branch(beam.with_value("frequency", fast / 2), "frequency", 290, 300)
+    assert {row.motion for row in found} == {"separated"}
+
+
 def test_a_motion_without_switches_is_followed_to_where_it_touches() -> None:
     """Near resonance, between all values at which orbits are looked for."""
     spring = ns.scene("clearance")(force=0.05, damping=0.05, gap=0.8, contact_stiffness=0.3)
