@@ -125,11 +125,20 @@ def test_the_files_have_what_the_document_has(run, tmp_path: Path) -> None:
 def test_a_value_without_an_orbit_ends_with_status_1(run, tmp_path: Path) -> None:
     target = tmp_path / "along.svg"
     flags = ("--vary", "gap=0.1:50:2", "--log", "--orders", ORDER, "-o", target)
-    status, out, _ = run("sweep", "impact", *flags)
-    assert status == 1
+    status, out, err = run("sweep", "impact", *flags)
+    assert (status, err) == (1, f"wrote {target}\n")
     assert "g = 0.1 to 50 m; c0-tau, N = 8" in out
     assert out.splitlines()[-1] == "1 ok; 1 no-orbit"
     assert target.exists()
+
+
+@pytest.mark.parametrize("of", [("--vary", "gap=50:60:2"), ("--gap", "50", "--orders", "3,4")])
+def test_a_table_without_any_orbit_says_why(run, of: tuple[str, ...]) -> None:
+    status, out, err = run("sweep", "impact", *of)
+    assert (status, "no-orbit" in out) == (1, True)
+    assert err.startswith(
+        "nonsmooth: no row has an orbit, the first for this reason: impact: no such orbit"
+    )
 
 
 def test_the_picture_has_the_ends_and_the_times(along) -> None:

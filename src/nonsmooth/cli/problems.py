@@ -91,6 +91,13 @@ def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
     said.update((message, cause))
 
 
+def tell_none(messages: Sequence[str]) -> None:
+    """Say on stderr why the first row of a table has no orbit, if all rows have a message."""
+    if all(messages):
+        sentence, *below = messages[0].split("; ")
+        say(f"no row has an orbit, the first for this reason: {sentence}", _shortened(below))
+
+
 @contextmanager
 def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
     """Turn a `ValueError` on an argument into a `Problem` of the option; `names` maps them."""

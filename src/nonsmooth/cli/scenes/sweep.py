@@ -20,7 +20,7 @@ from nonsmooth.solver.trade import measured
 from ..about import Given
 from ..aliases import generic_methods
 from ..output import Destination, drawn_by
-from ..problems import PLURAL, Problem, as_problems, tell, wrong_values
+from ..problems import PLURAL, Problem, as_problems, tell, tell_none, wrong_values
 from ..progress import progress
 from ..values import ORDERS, Vary, is_whole, parse_orders, values_of
 from . import tables
@@ -57,6 +57,7 @@ def _over_orders(
             result = sweep(case, names, numbers, functions=functions, progress=done)
     text = documents.text(result.case, result.as_dict(), result.rates())
     to.show(text, tables.convergence(result))
+    tell_none([row.message for row in result.rows])
     to.write(text, drawn_by("sweeps.convergence_figure", result), result)
     return 0 if all(row.status == "ok" for row in result.rows) else 1
 
@@ -88,6 +89,7 @@ def _along(
             interrupt, result = error, error.done
     text = documents.text(case, result.as_dict(), [result.method])
     to.show(text, tables.family(result))
+    tell_none([row.message for row in result.rows])
     to.write(text, drawn_by("families.family_figure", result, vary.log), result)
     if interrupt:
         raise Problem(f"interrupted: {interrupt}", 130)
