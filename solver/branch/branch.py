@@ -251,7 +251,7 @@ def lasts_at(branch: BothWays, phase: str, value: float) -> bool:
     points = [(q.value(place.y), q.course) for q, place in branch.points()]
     return any(
         course.endless
-        and course.motion == phase
+        and course.order.steps[0].called(course.base.phases) == phase
         and min(start, end) <= value <= max(start, end)
         for (start, course), (end, _) in pairwise(points)
     )

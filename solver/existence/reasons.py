@@ -13,6 +13,7 @@ from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Phase
+from ..scenes.orders import ONLY
 from ..simulation.lasting import response, swing
 from . import two_phases
 from .bodies import in_one_phase
@@ -127,7 +128,7 @@ class WithoutSwitches:
     def as_dict(self) -> dict[str, Any]:
         """Return the motion as a JSON document."""
         return {
-            "motion": f"{self.phase}, without switches",
+            "motion": ONLY + self.phase,
             "period": 2 * math.pi / self.case.values[str(self.case.scene.frequency)],
             "extremes": {"displacement": [self.least, self.largest]},
             "stable": self.stable,

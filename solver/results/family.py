@@ -12,6 +12,7 @@ from ..orbit.errors import Errors
 from ..presentation.table import OfRows, Table, flat
 from ..scenes.case import Case
 from ..scenes.methods import shown
+from ..scenes.orders import ONLY
 from .document import errors_of
 
 
@@ -195,8 +196,9 @@ class Family(OfRows):
     def durations_of(self, row: FamilyRow) -> dict[str, float]:
         """Return the durations of a cell's phases in s, by name; empty without an orbit."""
         scene = self.case.scene
-        if row.motion in scene.phases and row.motion not in scene.motions:
-            return dict(zip([row.motion], row.durations or (), strict=False))  # may never end
+        if row.motion and row.motion.startswith(ONLY):
+            phase = row.motion.removeprefix(ONLY)
+            return dict(zip([phase], row.durations or (), strict=False))  # without a forcing ()
         motion = motion_of(scene, row.motion) if row.motion else scene
         names = (name for name, _ in motion.kinds)
         return dict(zip(names, row.durations or (), strict=False))

@@ -21,6 +21,9 @@ from .parameter_error import ParameterError
 #: Last word in the name of an order whose other half is the mirror image.
 MIRRORED = "mirrored"
 
+#: How the name of a motion begins whose one phase nothing ends; the name of the phase follows.
+ONLY = "only "
+
 
 class Step(NamedTuple):
     """One phase of an order: its index in the scene's cell, and whether it is mirrored."""

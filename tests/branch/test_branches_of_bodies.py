@@ -241,8 +241,8 @@ def test_contact_ends_in_the_linear_response_and_begins_there() -> None:
 
     expected = brentq(beyond, end.parameter - 0.01, end.parameter + 0.01, xtol=1e-15)
     assert end.parameter == pytest.approx(expected, abs=1e-13)
-    assert found.rows[-1].motion == "open_0"
-    assert all(len(row.durations) == 1 for row in found if row.motion == "open_0")
+    assert found.rows[-1].motion == "only open_0"
+    assert all(len(row.durations) == 1 for row in found if row.motion == "only open_0")
 
 
 def test_sticking_is_one_event_from_both_sides() -> None:

@@ -263,7 +263,7 @@ def test_a_stick_on_a_belt_ends_where_the_linear_response_just_has_its_speed() -
     assert [event.kind for event in branch.events] == ["sticking"]
     assert branch.events[0].parameter == pytest.approx(0.2355 * 0.7**2 + reach, rel=1e-12)
     assert branch.why_it_ended == ("the end of the range",) * 2
-    assert branch[-1].motion == "slip"
+    assert branch[-1].motion == "only slip"
     amplitude = 1.379 / abs(1.9 - 0.2355 * 0.7**2 + 0.0447j * 0.7)
     mean = 0.05 / 1.9
     ends = mean - amplitude, mean + amplitude

@@ -8,6 +8,7 @@ from ...scenes.cell import Cell
 from ...scenes.dimensionless import Units
 from ...scenes.loaded import LoadedScene
 from ...scenes.orders import (
+    ONLY,
     Order,
     OrderedScene,
     declared_as,
@@ -55,7 +56,7 @@ class Itinerary:
     def motion(self) -> str | None:
         """What users call it: as the scene does, or its phases in order; see `orders`."""
         if self.endless:
-            return self.order.steps[0].called(self.base.phases)
+            return ONLY + self.order.steps[0].called(self.base.phases)
         if self.declared is not None:
             return self.declared.motion
         return self._scene.motion
@@ -63,9 +64,7 @@ class Itinerary:
     @cached_property
     def called(self) -> str:
         """What a map calls it: the same, from whichever of its phases an order begins."""
-        if self.endless:
-            return f"only {self.motion}"
-        if self.declared is not None:
+        if self.endless or self.declared is not None:
             return self.motion or self._scene.motion
         steps, half, names = self.order.steps, self.order.half_period, []
         cell = self.base.cell(self._numbers)

@@ -41,7 +41,7 @@ FIRST, LAST = 8, 12
 #: Below the table of every orbit, and below that of time against error.
 OF_EVERY = (
     "T: period; phi: phase of the forcing at the first switch; least x, largest x: of the "
-    "displacement; estimate: error of the times, as a fraction of T."
+    "displacement; estimate: error of the times, as a fraction of T; only: without switches."
 )
 OF_TRADE = """times: largest error of a duration{and_phase}, as a fraction of T;
 estimate: the same, {estimated}; exact: by the flow of each phase,
