@@ -3,7 +3,6 @@
 import hashlib
 import importlib
 from collections.abc import Callable, Iterable
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,7 +18,6 @@ if TYPE_CHECKING:
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"
 
 
-@cache
 def names() -> tuple[str, ...]:
     """Return the names of the shipped scenes: the folders of ``generated/`` that hold one."""
     folders = importlib.import_module(_GENERATED).__path__
