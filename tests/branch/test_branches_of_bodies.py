@@ -374,3 +374,13 @@ def test_between_two_resonances_a_row_leaves_its_stop(monkeypatch, tmp_path, dam
     grazing = [event.parameter for event in found.events if event.kind == "grazing"]
     assert grazing == pytest.approx(touches, rel=1e-12)
     assert max(row.value for row in found) == pytest.approx(0.8)
+
+
+def test_a_dip_just_behind_an_impact_of_a_stiff_beam_is_an_event() -> None:
+    """In 0.0001 s of 0.16, by waves of the fast modes: an impact more begins there."""
+    beam = ns.scene("beam-impact")(modes=10, restitution=0.27)
+    found = ns.branch(beam, "restitution", 0.2695, 0.2705)
+    assert [event.kind for event in found.events] == ["flip", "grazing"]
+    assert found.why_it_ended == ("the end of the range",) * 2
+    orders = {row.motion: len(row.durations) for row in found}
+    assert [orders[motion] for motion in sorted(orders)] == [3, 4]

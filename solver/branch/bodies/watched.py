@@ -3,7 +3,7 @@
 The functions stand for those of the same names there.  Plain Python, or compiled by numba.
 """
 
-from math import isnan, nan
+from math import inf, isnan, nan
 from typing import Any
 
 import numpy as np
@@ -23,10 +23,14 @@ from ..watch import (
     polynomial,
 )
 from .equations import initial_states
-from .ways import ahead, along, expanded, halves, over, way_of
+from .exponential import by_basis
+from .ways import ahead, along, expanded, halves, may_change, moves_of, over, way_of
 
 #: A dip of the rate is looked into if the tangents at its ends meet below this part of it.
 SHALLOW = 0.5
+
+#: Most steps of a phase that are halved; how often they are until it is seen which matter.
+MOST_STEPS, AT_ONCE = 8192, 3
 
 #: Corrections of a critical point by Newton's method.
 POLISH = 6
@@ -36,13 +40,13 @@ NARROWED = 8
 
 
 def least_inside(
-    way: Any, grid: Matrix, s: float, finer: Any, terms: Matrix, slopes: Matrix, begins: int
+    way: Any, grid: Matrix, s: float, finer: Any, terms: Matrix, begins: int
 ) -> tuple[float, float]:
     """Return the least value of a form at its critical points inside a phase, and its time.
 
-    NaN without one.  Between two times of the grid the rate may change its sign, or dip below
-    zero and come back, just behind a jump of the velocity at any scale.  A body has many
-    minima: those that cannot be the least are left out.
+    NaN without one.  Within a step the rate may change its sign, or dip below zero and come
+    back, just behind a jump of the velocity at any scale.  A body has many minima: those that
+    cannot be the least are left out.
 
     Parameters
     ----------
@@ -54,21 +58,31 @@ def least_inside(
         The `ways.halves` of a step of the grid.
     terms : ndarray
         See `ways.expanded`.
-    slopes : ndarray, shape (2, points)
-        Rate and half the second derivative on the grid.
     begins : int
         Order of the first derivative of the form that is not identically zero at the start.
     """
-    least, time, h = nan, nan, s / (grid.shape[1] - 1)
-    rates, bends = slopes[0].copy(), slopes[1]
+    least, time, h, starts = nan, nan, s / (grid.shape[1] - 1), grid
+    times, series = h * np.arange(grid.shape[1] - 1), terms[:3] @ grid
+    begin, end = series[:, :-1].copy(), series[:, 1:].copy()
+    if len(finer[1]) > 0:
+        starts, times, halvings = narrowed(way, grid, h, finer[1], terms)
+        if len(times) == 0:
+            return nan, nan
+        h, step = h / 2.0**halvings, finer[1][halvings - 1]
+        ends = starts + by_basis(way[1], way[2], way[3], step, h, starts)
+        begin, end = terms[:3] @ starts, terms[:3] @ ends
+        for j in range(len(times) - 1):
+            if times[j + 1] - times[j] < 1.5 * h:  # the same point, with the same rounding
+                end[:, j] = begin[:, j + 1]
+        finer = (finer[0], finer[1][halvings:])
     if begins > 1:
-        rates[0] = np.dot(terms[begins], grid[:, 0].copy())
-    falls = (rates[:-1] < 0) & (rates[1:] >= 0)
-    dips = (rates[:-1] >= 0) & (rates[1:] >= 0) & (bends[:-1] < 0) & (bends[1:] > 0)
-    dips &= lowest(rates, 2 * bends, h) <= SHALLOW * np.minimum(rates[:-1], rates[1:])
-    falls &= may_have_least(terms[0] @ grid, slopes, h, falls)
+        begin[1] = np.where(times == 0, np.dot(terms[begins], grid[:, 0].copy()), begin[1])
+    falls = (begin[1] < 0) & (end[1] >= 0)
+    dips = (begin[1] >= 0) & (end[1] >= 0) & (begin[2] < 0) & (end[2] > 0)
+    tangents = lowest(begin[1], end[1], 2 * begin[2], 2 * end[2], h)
+    dips &= tangents <= SHALLOW * np.minimum(begin[1], end[1])
     for i in np.flatnonzero(falls | dips):
-        value, offset, y = nan, 0.0, grid[:, i].copy()
+        value, offset, y = nan, 0.0, starts[:, i].copy()
         if dips[i]:
             y, offset, u = turning(way, y, h, h, finer, terms, 2)
             y, offset = ahead(way, u, y), offset + u
@@ -76,41 +90,63 @@ def least_inside(
             value, u = risen(way, y, h - offset, h, finer, terms)
             offset += u
         if not isnan(value) and (isnan(least) or value < least):
-            least, time = value, i * h + offset
+            least, time = value, times[i] + offset
     return least, time
 
 
-def may_have_least(heights: Vector, slopes: Matrix, h: float, falls: Any) -> Any:
-    """Return for each step whether the least of the minima in the steps `falls` may be in it.
+def narrowed(
+    way: Any, grid: Matrix, h: float, finer: Any, terms: Matrix
+) -> tuple[Matrix, Vector, int]:
+    """Return short steps in which a form may have its least value at a critical point.
 
-    It is not above any end of these steps.  Where a form is convex, it is above its tangents;
-    their depth is doubled, since between the times of the grid it may be less convex.  A form
-    may begin like a power of the time: the first step counts in any case.
+    The steps of the grid are halved; left out are those in which the form stays above a
+    minimum that is known, or its rate keeps its sign.
 
     Parameters
     ----------
-    heights : ndarray, shape (points,)
-        The form on the grid.
-    slopes
-        See `least_inside`.
+    finer : ndarray of complex
+        The `ways.halves` of a step h, by the eigenbasis; one at least.
+
+    Returns
+    -------
+    starts : ndarray
+        The coordinates at the start of each step, by column.
+    times : ndarray
+        Their times, which increase.
+    halvings : int
+        How often h is halved: until the fastest pole is resolved, if that takes no more than
+        `MOST_STEPS` steps, and once at least if any step is left.
     """
-    ends = np.minimum(heights[:-1], heights[1:])
-    depth = ends - lowest(heights, slopes[0], h)
-    may = (slopes[1, :-1] <= 0) | (slopes[1, 1:] <= 0)
-    if falls.any():
-        may |= ends - 2 * depth <= ends[falls].min()
-    may[0] = True
-    return may
+    heights, known, halvings, first = terms[0] @ grid, inf, 0, grid[:, 0].copy()
+    for i in range(1, len(heights) - 1):
+        if heights[i] <= min(heights[i - 1], heights[i + 1]):
+            known = min(known, heights[i])
+    starts, times = grid[:, :-1].copy(), h * np.arange(grid.shape[1] - 1)
+    while halvings < len(finer) and (halvings == 0 or len(times) <= MOST_STEPS):
+        moves = moves_of(way, h, starts)
+        may = terms[0] @ starts - may_change(way, h, first, moves, terms[0]) <= known
+        may &= np.abs(terms[1] @ starts) <= may_change(way, h, first, moves, terms[1])
+        starts, times = starts[:, may], times[may]
+        if len(times) == 0:
+            break
+        for _ in range(min(AT_ONCE, len(finer) - halvings)):
+            h /= 2
+            middles = starts + by_basis(way[1], way[2], way[3], finer[halvings], h, starts)
+            starts = np.concatenate((starts, middles), axis=1)
+            times = np.concatenate((times, times + h))
+            halvings += 1
+    order = np.argsort(times)
+    return starts[:, order], times[order], halvings
 
 
-def lowest(values: Vector, slopes: Vector, h: float) -> Vector:
+def lowest(first: Vector, last: Vector, slope: Vector, last_slope: Vector, h: float) -> Vector:
     """Return the height at which the tangents at both ends of each step meet.
 
     A convex curve lies above it.
     """
-    bend = slopes[:-1] - slopes[1:]
-    u = (values[1:] - values[:-1] - slopes[1:] * h) / np.where(bend == 0, np.nan, bend)
-    heights: Vector = values[:-1] + slopes[:-1] * u
+    bend = slope - last_slope
+    u = (last - first - last_slope * h) / np.where(bend == 0, np.nan, bend)
+    heights: Vector = first + slope * u
     return heights
 
 
@@ -175,8 +211,7 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
             end = np.dot(terms[0], last)
             if table[row, KIND] == WITHIN:
                 values[row, START] = np.dot(terms[begins], first)
-                slopes = terms[1:3] @ grid
-                inside, _ = least_inside(way, grid, s, finer, terms, slopes, begins)
+                inside, _ = least_inside(way, grid, s, finer, terms, begins)
                 values[row, LEAST] = inside
                 values[row, END] = -np.dot(terms[1], last) if table[row, IS_END] != 0 else end
                 continue
@@ -186,9 +221,8 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
         for j in range(len(extremes)):
             terms = expanded(way, case[4][p, j])
             ends = np.dot(terms[0], first), np.dot(terms[0], last)
-            slopes = terms[1:3] @ grid
             for sign in (1.0, -1.0):
-                inside, _ = least_inside(way, grid, s, finer, sign * terms, sign * slopes, 0)
+                inside, _ = least_inside(way, grid, s, finer, sign * terms, 0)
                 for value in (ends[0], ends[1], sign * inside):
                     if not isnan(value):
                         extremes[j, 0] = min(extremes[j, 0], value)
@@ -201,4 +235,4 @@ def when_least(case: Any, table: Any, z: Vector, row: int) -> float:
     way, s = way_of(case, p), z[case[1].shape[1] - 3 + p]
     grid = along(way, s, initial_states(case, z)[p])
     finer, terms = halves(way, s / (grid.shape[1] - 1)), expanded(way, case[6][row])
-    return least_inside(way, grid, s, finer, terms, terms[1:3] @ grid, table[row, BEGINS])[1]
+    return least_inside(way, grid, s, finer, terms, table[row, BEGINS])[1]

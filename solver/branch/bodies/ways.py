@@ -29,6 +29,9 @@ from .exponential import (
 #: Parts of a phase for each 1 of ``|G| s``; fewest and most parts.
 CLOSE, FEWEST, MOST = 2.0, 32, 1024
 
+#: Most parts where an eigenbasis is known: those that matter are halved, see `watched`.
+MOST_BY_BASIS = 128
+
 #: Terms of a Taylor series within such a part.
 EXPANDED = 14
 
@@ -83,7 +86,7 @@ def along(way: Any, s: float, Y: Vector) -> Matrix:
     generator, poles, drives, omega, _, back = way
     states, has_basis = len(Y) - 3, len(poles) > 0
     size = norm(generator[:states, :states]) * abs(s)
-    count = int(min(max(ceil(CLOSE * size), FEWEST), MOST))
+    count = int(min(max(ceil(CLOSE * size), FEWEST), MOST_BY_BASIS if has_basis else MOST))
     coordinates, filled = np.empty((len(back), count + 1)), 1
     coordinates[:, 0] = back @ Y
     step = np.empty((0, 0)) if has_basis else exp_less_one(generator, s / count)
@@ -133,6 +136,44 @@ def over(way: Any, finer: tuple[Any, Any], j: int, t: float, y: Vector) -> Vecto
         coordinates: Vector = y + finer[0][j] @ y
         return coordinates
     return y + by_basis(poles, drives, omega, finer[1][j], t, y.reshape(-1, 1))[:, 0]
+
+
+def moves_of(way: Any, h: float, y: Matrix) -> Matrix:
+    """Return how far each pole may move in a time h from coordinates, by column; shape (m, k).
+
+    A pole s at z, driven by d, moves by ``h (|s z| + |d|)`` at most.  One that is faster than
+    the forcing moves with its steady answer, and circles about it.
+    """
+    _, poles, drives, omega, _, _ = way
+    m, r, speeds = len(poles), len(y) - 2 * len(poles), np.abs(poles)
+    inputs, driven = np.ascontiguousarray(y[2 * m :]), drives[:m] + 1j * drives[m:]
+    is_fast, s = speeds > 2 * omega, poles.reshape(m, 1)
+    steady = -driven / np.where(is_fast.reshape(m, 1), s, np.inf)
+    square = np.where(is_fast, poles * poles + omega * omega, np.inf)
+    cosine, sine = driven[:, r - 3], driven[:, r - 2]
+    steady[:, r - 3] = -(poles * cosine + omega * sine) / square
+    steady[:, r - 2] = -(poles * sine - omega * cosine) / square
+    real = y[:m] - np.ascontiguousarray(steady.real) @ inputs
+    imaginary = y[m : 2 * m] - np.ascontiguousarray(steady.imag) @ inputs
+    wave = np.hypot(inputs[r - 3, 0], inputs[r - 2, 0])
+    drift = omega * wave * (np.abs(steady[:, r - 3]) + np.abs(steady[:, r - 2]))
+    for i in range(r):
+        size = wave if r - 3 <= i < r - 1 else abs(inputs[i, 0])
+        drift += np.where(is_fast, 0.0, size * np.abs(driven[:, i]))
+    turns = np.where(is_fast, np.minimum(h * speeds, 2.0), h * speeds)
+    circled = turns.reshape(m, 1) * np.sqrt(real * real + imaginary * imaginary)
+    growth = np.exp(h * max(poles.real.max(), 0.0))
+    moves: Matrix = growth * (circled + h * drift.reshape(m, 1))
+    return moves
+
+
+def may_change(way: Any, h: float, y: Vector, moves: Matrix, form: Vector) -> Vector:
+    """Return how far a form may go in a time h, by its poles' `moves_of`, from any time."""
+    m, omega, width = len(way[1]), way[3], len(y)
+    sizes = np.sqrt(form[:m] * form[:m] + form[m : 2 * m] * form[m : 2 * m])
+    forced = np.hypot(form[width - 3], form[width - 2]) * np.hypot(y[width - 3], y[width - 2])
+    changes: Vector = sizes @ moves + h * omega * forced
+    return changes
 
 
 def expanded(way: Any, form: Vector) -> Matrix:
