@@ -42,7 +42,7 @@ def in_turn(entries: Iterable[tuple[float, Found | None]]) -> list[Found]:
     first = next((at for at, event in events if event.changes), None)
     no_orbit = next((at for at, event in ordered if event is None), None)
     if no_orbit is not None and (first is None or no_orbit <= first):
-        raise NoStepError(no_orbit)
+        raise NoStepError
     if first is None:
         return [event for _, event in events]
     joint = [event for at, event in events if event.changes and at - first <= SAME * first]

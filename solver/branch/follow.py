@@ -25,9 +25,6 @@ PART, MOST_POINTS = 1 / 80, 20_000
 #: Distance from the first orbit, in steps, within which a branch may be closed.
 NEAR = 1.0
 
-#: Part of the way to where no orbit is beyond that the last step takes.
-UP_TO = 1 - 1e-6
-
 #: How far ahead, as a part of the range, the parameters are checked where no step succeeds.
 AHEAD = 1e-6
 
@@ -102,10 +99,8 @@ def follow(
                 piece, place = _pass(segment, piece, place, places[-1], float(lengths[-1]))
                 if closed is not None and place is places[-1]:
                     segment.why = CLOSED
-            except ArithmeticError as error:
-                reach = error.reach if isinstance(error, NoStepError) else np.inf
-                last = float(lengths[-1])
-                length = UP_TO * reach if reach <= UP_TO * last else last / 2
+            except ArithmeticError:
+                length = float(lengths[-1]) / 2
                 segment.why = "" if length > LEAST_STEP else _why_stuck(piece, place)
         elif why == GROWN:
             try:

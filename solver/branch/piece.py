@@ -47,15 +47,7 @@ class Place:
 
 
 class NoStepError(ArithmeticError):
-    """A step does not lead to the branch.
-
-    Its argument is how far in the step there are orbits, if that was found.
-    """
-
-    @property
-    def reach(self) -> float:
-        """How far in the step there are orbits; infinite if that was not found."""
-        return float(self.args[0]) if self.args else np.inf
+    """A step does not lead to the branch."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -423,10 +423,9 @@ def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
     ends = SimpleNamespace(changes=True, column=None, phase=0, value=2.0)
     found = [(0.3, None), (0.2, ends), (0.1, fold)]
     assert in_turn(found) == [fold, ends]
-    for entries, reach in ([(0.15, None), *found], 0.15), ([(0.3, None), (0.1, fold)], 0.3):
-        with pytest.raises(NoStepError) as error:
+    for entries in [(0.15, None), *found], [(0.3, None), (0.1, fold)]:
+        with pytest.raises(NoStepError):
             in_turn(entries)
-        assert error.value.reach == reach
 
 
 def test_few_orbits_are_computed_for_an_event(monkeypatch) -> None:
