@@ -5,12 +5,14 @@ from functools import cache, partial
 
 import numpy as np
 import pytest
+import sympy as sp
 from bodies import test_random_chains as chains
 from bodies.reference_bodies import case, chain, of
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
 import nonsmooth as ns
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver import branches, chart
 from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.branch.bodies import equations
@@ -384,3 +386,45 @@ def test_a_dip_just_behind_an_impact_of_a_stiff_beam_is_an_event() -> None:
     assert found.why_it_ended == ("the end of the range",) * 2
     orders = {row.motion: len(row.durations) for row in found}
     assert [orders[motion] for motion in sorted(orders)] == [3, 4]
+
+
+def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> None:
+    """Of two masses that nothing joins, each has the orbit that it has alone."""
+    omega, g, d, k = sp.symbols("Omega g d k", positive=True)
+    numbers = {"M": np.eye(2), "K": np.diag([1.0, 1.1]), "C": 0.2 * np.eye(2)}
+    body = Body(**numbers, forcing=[1.0, 1.0], at={"one": [1, 0], "other": [0, 1]})
+    contacts = body.at.values()
+    off = [contact.x - gap for contact, gap in zip(contacts, (d, g), strict=True)]
+
+    def phase(one: int, other: int, changes: int) -> Phase:
+        pressed = list(zip(contacts, off, (one, other), strict=True))
+        laws = tuple(contact.force + k * way * on for contact, way, on in pressed)
+        demands = {q.name: way if on else -way for q, way, on in pressed}
+        return Phase(f"p{one}{other}{changes}", laws, ends=Event(off[changes]), demands=demands)
+
+    lengths = (Parameter("fixed", d, "m", 0.5, "gap"), Parameter("gap", g, "m", 0.8, "gap"))
+    others = (
+        Parameter("stop", k, "N/m", 4.0, "stiffness of both stops"),
+        Parameter("frequency", omega, "rad/s", 1.3, "of the forcing"),
+    )
+    order = ("000", "101", "110", "011", "001", "010", "111", "100")
+    phases = tuple(phase(*map(int, name)) for name in order)
+    scene = Scene("apart", "two", (*lengths, *others), phases, body=body, frequency=omega)
+    found = ns.branch(ns.scene(scene)(), "gap", 0.7, 1.2)
+
+    def alone(stiffness: float, gap: float) -> np.ndarray:
+        """Return the angles at which a contact begins and ends."""
+        orbit = ns.exact(ns.scene("clearance")(stiffness=stiffness, gap=gap, frequency=1.3))
+        return orbit.forcing_phase + np.array([0.0, 1.3 * orbit.durations[0]])
+
+    def later(gap: float, i: int) -> float:
+        return (alone(1.1, gap) - alone(1.0, 0.5))[i]
+
+    at_once = [brentq(later, 0.7, 1.2, (i,)) for i in (0, 1)]
+    assert [event.kind for event in found.events] == ["vanishing"] * 2
+    assert [event.parameter for event in found.events] == pytest.approx(at_once, rel=1e-11)
+    assert found.why_it_ended == ("the end of the range",) * 2
+    for row in found:
+        ends = np.exp(1j * (row.forcing_phase + 1.3 * np.cumsum(row.durations)))
+        for angle in (*alone(1.0, 0.5), *alone(1.1, row.value)):
+            assert np.abs(ends - np.exp(1j * angle)).min() <= 1e-9

@@ -92,6 +92,7 @@ class AtEvent:
         assert p is not None
         if column is None:
             yield from self._without(p)
+            yield from self._swapped(p)
             return
         row = self.event.piece.rows[self.event.row]
         within = row.kind == WITHIN
@@ -157,6 +158,27 @@ class AtEvent:
                 yield Candidate(tuple(slots[1:]), self.half, angle)
             else:
                 yield from self._joined(slots[1:], angle)
+
+    def _swapped(self, p: int) -> Iterator[Candidate]:
+        """Yield orders in which the events before and behind phase p happen in the other order.
+
+        Of a body two contacts may switch at once.
+        """
+        slots, angle = self._from((p - 1) % len(self.slots))
+        first, last, *rest = slots if len(slots) > 1 else slots * 2
+        state = self.course.state(self.equations, self.z, (p - 1) % len(self.slots), first.s)
+        for step in self.steps:
+            if step == first.step or not self._alike(step, first.step):
+                continue
+            begun = replace(first, step=step)
+            after = rest[0] if rest else self.next_cell(begun)
+            if self.machine.node(step).changes_velocity:
+                state = after.state
+            for other in self.steps:
+                between = other != last.step and self._may(step, other)
+                if between and self._may(other, after.step):
+                    swapped = (begun, Slot(other, state, 0.0), *rest)
+                    yield Candidate(swapped, self.half, angle, 1)
 
     def _leaps(self, p: int) -> bool:
         """Whether the velocity jumps where phase p begins."""

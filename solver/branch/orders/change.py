@@ -23,6 +23,10 @@ from .candidates import AtEvent, Candidate
 #: The last is for chatter, where a fold is as close.
 AHEAD = (1e-3, 1e-2, 1e-4, 1e-5)
 
+#: How far off, in scaled coordinates, an orbit at the event may be found in another order; and
+#: one in which a phase has been inserted.
+SAME, FAR = 1e-4, 1.0
+
 #: Steps tried away from a flip.
 ASIDE = (1e-4, 1e-2, 1e-3, 3e-2, 1e-1)
 
@@ -118,10 +122,10 @@ def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Pie
     if candidate.grows is not None:
         border = np.zeros(len(y))
         border[at_s + candidate.grows] = 1.0
-        return _admitted(bare, bare.corrected(y, border), border)
+        return _admitted(bare, _near(bare, y, border, FAR), border)
     border = bare.singular_vectors(y)[-1]
     border *= np.copysign(1.0, border[-1])
-    y = bare.corrected(y, border)
+    y = _near(bare, y, border, SAME)
     for distance in (ahead, -ahead):
         try:
             y_aside = bare.corrected(y + distance * border / bare.along.weights, border)
@@ -129,6 +133,20 @@ def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Pie
         except NoStepError:
             continue
     raise NoStepError
+
+
+def _near(bare: Piece, y: Vector, border: Vector, most: float) -> Vector:
+    """Return the orbit to which Newton's method leads, if it is no farther than `most`.
+
+    Raises
+    ------
+    NoStepError
+        If it is another one.
+    """
+    corrected = bare.corrected(y, border)
+    if not np.linalg.norm((corrected - y) * bare.along.weights) <= most:
+        raise NoStepError
+    return corrected
 
 
 def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
