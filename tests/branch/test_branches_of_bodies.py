@@ -390,6 +390,11 @@ def test_a_dip_just_behind_an_impact_of_a_stiff_beam_is_an_event() -> None:
 
 def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> None:
     """Of two masses that nothing joins, each has the orbit that it has alone."""
+
+
+@cache
+def apart() -> Scene:
+    """Return two masses that nothing joins, with a stop each, in all orders of contacts."""
     omega, g, d, k = sp.symbols("Omega g d k", positive=True)
     numbers = {"M": np.eye(2), "K": np.diag([1.0, 1.1]), "C": 0.2 * np.eye(2)}
     body = Body(**numbers, forcing=[1.0, 1.0], at={"one": [1, 0], "other": [0, 1]})
@@ -409,8 +414,12 @@ def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> N
     )
     order = ("000", "101", "110", "011", "001", "010", "111", "100")
     phases = tuple(phase(*map(int, name)) for name in order)
-    scene = Scene("apart", "two", (*lengths, *others), phases, body=body, frequency=omega)
-    found = ns.branch(ns.scene(scene)(), "gap", 0.7, 1.2)
+    return Scene("apart", "two", (*lengths, *others), phases, body=body, frequency=omega)
+
+
+def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> None:
+    """Each mass has the orbit that it has alone."""
+    found = ns.branch(ns.scene(apart())(), "gap", 0.7, 1.2)
 
     def alone(stiffness: float, gap: float) -> np.ndarray:
         """Return the angles at which a contact begins and ends."""
@@ -428,3 +437,13 @@ def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> N
         ends = np.exp(1j * (row.forcing_phase + 1.3 * np.cumsum(row.durations)))
         for angle in (*alone(1.0, 0.5), *alone(1.1, row.value)):
             assert np.abs(ends - np.exp(1j * angle)).min() <= 1e-9
+
+
+def test_where_a_second_contact_ends_the_linear_response_is_beyond() -> None:
+    """Whatever the first contact does there: that mass does not reach its stop."""
+    found = ns.branch(ns.scene(apart())(fixed=5.0), "gap", 1.0, 2.0)
+    reach = 1 / abs(1.1 - 1.3**2 + 0.26j)
+    assert found.events[-1].kind == "grazing"
+    assert found.events[-1].parameter == pytest.approx(reach, rel=1e-12)
+    assert found.why_it_ended == ("the end of the range",) * 2
+    assert found[-1].motion in ("p000", "p001")

@@ -19,9 +19,6 @@ from ..watch import (
     WITHIN,
 )
 
-#: Instants at which a motion that never ends may be cut.
-CUTS = 33
-
 
 @dataclass(frozen=True)
 class Slot:
@@ -212,16 +209,9 @@ class AtEvent:
             yield self._endless(last, angle)
 
     def _endless(self, slot: Slot, angle: float) -> Candidate:
-        """Return a motion of one phase that fills the cell, cut where the velocity is least."""
-        p = int(np.argmax([each.s for each in self.slots]))
-        times = np.linspace(0.0, slot.s, CUTS)
-        arguments = self.equations, self.z, p
-        speeds = [abs(self.course.moving_at(*arguments, t)[1]) for t in times.tolist()]
-        t = float(times[np.argmin(speeds)])
-        whole = replace(self.slots[p], state=self.course.state(*arguments, t))
-        whole = whole if slot.step == whole.step else self.next_cell(whole)
-        whole = replace(whole, s=slot.s * (2 if self.half else 1))
-        return Candidate((whole,), False, angle + self.cell.omega * t, endless=True)
+        """Return a motion of one phase that fills the cell."""
+        whole = replace(slot, s=slot.s * (2 if self.half else 1))
+        return Candidate((whole,), False, angle, endless=True)
 
     def _goes_on(self, step: Step) -> bool:
         """Whether a phase that never ends is an isolated motion."""

@@ -14,6 +14,7 @@ from ...scenes.loaded import UnknownScene
 from ...scenes.orders import Order
 from ...scenes.parameter_error import ParameterError
 from ..course import Course
+from ..for_ever import for_ever
 from ..locate import Found
 from ..meeting import halves_apart
 from ..piece import NoStepError, Piece, Place
@@ -170,5 +171,7 @@ def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
 def _unknowns(event: Found, course: Course, candidate: Candidate) -> Vector:
     """Return the unknowns of a candidate at an event, in the units of its piece."""
     numbers, durations = event.piece.numbers(event.place.y), [q.s for q in candidate.slots]
+    if candidate.endless:
+        return for_ever(course, numbers)
     states = [slot.state for slot in candidate.slots]
     return course.gathered(numbers, states, np.array(durations), candidate.angle)
