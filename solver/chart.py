@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Integers, Matrix, Vector
+from .branch.branch import GENERIC
 from .branch.course import Course
 from .charts.block import NEITHER, STABLE, block_of
 from .charts.curves import curves_of
@@ -163,7 +164,9 @@ def planes_of(
     """Return the planes of all orders of phases that were found, and their orbits."""
     indices = index_of(case, names[0]), index_of(case, names[1])
     planes, seeds = [], []
-    for course in sorted({q.course: None for q in stretches}, key=_turn):
+    inside = _at(case, names, [low + GENERIC * (high - low) for low, high in bounds])
+    courses = {q.course: None for q in stretches if q.course.exists(inside)}
+    for course in sorted(courses, key=_turn):
         same_course = [q for q in stretches if q.course == course]
         longest = max(same_course, key=lambda q: len(q.points))
         plane = Plane.over(course, longest.case, indices, bounds, longest.middle)

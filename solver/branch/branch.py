@@ -33,6 +33,9 @@ ASIDE = 1e-4
 #: the range.
 FEW, SAME = 16, 1e-9
 
+#: Part of a range at which no parameter is special by chance.
+GENERIC = 0.437
+
 #: Why a branch ends where it was interrupted.
 STOPPED = "it was followed no further"
 
@@ -115,7 +118,8 @@ def start_of(
     piece = Piece.at(course, case, index, bounds, unknowns)
     y = piece.of_number(unknowns)
     half = symmetric(piece, y)
-    if half is not None:
+    inside = bounds[0] + GENERIC * (bounds[1] - bounds[0])
+    if half is not None and half.exists(case.with_value(piece.name, inside)):
         with suppress(ArithmeticError):  # another value may leave no image
             half_unknowns = halved(piece, half, y)
             piece, unknowns = Piece.at(half, case, index, bounds, half_unknowns), half_unknowns

@@ -281,3 +281,12 @@ def test_ctrl_c_keeps_the_rows_that_are_done(found: ns.Chart, monkeypatch) -> No
     assert 0 < rows < len(found.index)
     np.testing.assert_array_equal(part.index[:rows], found.index[:rows])
     assert (part.index[rows:] == -1).all()
+
+
+def test_orbits_that_are_symmetric_on_an_edge_alone() -> None:
+    """Of half a period they are motions nowhere else, so that the whole ones are followed."""
+    stops = ns.scene(ROOT / "examples/scenes/unequal_stops.py")
+    branch = ns.branch(stops(left=0.9), "left", 0.9, 1.0)
+    assert (branch[0].value, branch[-1].value) == (0.9, 1.0)
+    chart = ns.chart(stops(), {"frequency": (1.1, 1.3, 3), "left": (0.9, 1.0, 3)})
+    assert {name for row in chart.motion for name in row} == {"back,forth"}

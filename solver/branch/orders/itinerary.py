@@ -15,6 +15,7 @@ from ...scenes.orders import (
     image,
     in_cell,
     in_order,
+    is_odd,
 )
 from ...simulation.machine import Machine
 from ...simulation.machines import machine_of
@@ -91,6 +92,10 @@ class Itinerary:
             return self._scene.cell(numbers, self.cycles, self.units)
         cell = in_cell(self.declares(numbers), self.order)
         return replace(cell, phases=(cell.phases[0].cut(),), cycles=self.cycles)
+
+    def exists(self, case: Case) -> bool:
+        """Whether it is a motion of a case: if it is half a period, the scene must be odd."""
+        return not self.order.half_period or is_odd(self.base.cell(case.numbers))
 
     @cached_property
     def _generic(self) -> Cell:
