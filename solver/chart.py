@@ -24,6 +24,7 @@ from .charts.plane import Bounds, Plane
 from .results.chart import Chart, EventCurve
 from .results.interrupted import Interrupted
 from .scenes.case import Case, check_case, index_of
+from .scenes.orders import Order, declared_as, image
 from .scenes.parameter_error import is_number
 
 #: Least and most values of an axis, and most points.
@@ -166,7 +167,7 @@ def planes_of(
     planes, seeds = [], []
     inside = _at(case, names, [low + GENERIC * (high - low) for low, high in bounds])
     courses = {q.course: None for q in stretches if q.course.exists(inside)}
-    for course in sorted(courses, key=_turn):
+    for course in sorted(courses, key=lambda each: _turn(each, inside)):
         same_course = [q for q in stretches if q.course == course]
         longest = max(same_course, key=lambda q: len(q.points))
         plane = Plane.over(course, longest.case, indices, bounds, longest.middle)
@@ -175,12 +176,21 @@ def planes_of(
     return planes, seeds
 
 
-def _turn(course: Course) -> tuple[int, str]:
-    """Return what sorts orders of phases: those that are declared, then by their length."""
-    every = course.base.whole.each_motion
+def _turn(course: Course, case: Case) -> tuple[float, str]:
+    """Return what sorts orders of phases: those that are declared, then by their length.
+
+    Before a declared order stands its half, of symmetric orbits, if it is a motion of a case.
+    """
+    every, steps = course.base.whole.each_motion, course.order.steps
     if not course.endless and course.declared is not None:
         return every.index(course.declared), ""
-    return len(every) + len(course.order.steps), course.called
+    if course.order.half_period:
+        cell = course.base.cell(case.numbers)
+        images = [q for q in (image(cell, step) for step in steps) if q is not None]
+        declared = declared_as(course.base, Order((*steps, *images)))
+        if declared is not None:
+            return every.index(declared) - 0.5, ""
+    return len(every) + len(steps), course.called
 
 
 def _result(

@@ -290,3 +290,13 @@ def test_orbits_that_are_symmetric_on_an_edge_alone() -> None:
     assert (branch[0].value, branch[-1].value) == (0.9, 1.0)
     chart = ns.chart(stops(), {"frequency": (1.1, 1.3, 3), "left": (0.9, 1.0, 3)})
     assert {name for row in chart.motion for name in row} == {"back,forth"}
+
+
+def test_symmetric_orbits_have_one_name_all_over_a_map() -> None:
+    """Also where the declared order, of a whole period, is found as well."""
+    stops = ns.scene(ROOT / "examples/scenes/unequal_stops.py")
+    chart = ns.chart(stops(left=0.9), {"frequency": (1.0, 1.8, 5), "force": (0.7, 1.8, 4)})
+    for force, names in zip(chart.values[1], chart.motion, strict=True):
+        for frequency, name in zip(chart.values[0], names, strict=True):
+            times = ns.exact(stops(left=0.9, frequency=frequency, force=force)).durations
+            assert name == ("back,mirrored" if np.ptp(times) <= 1e-9 else "back,forth")
