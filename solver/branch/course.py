@@ -44,6 +44,9 @@ ROUNDING = 1e-8
 #: How many derivatives of a form are examined at the start of a phase.
 HIGHEST = 4
 
+#: Most phases of an order that is followed; near chatter their number has no bound.
+MOST = 40
+
 
 class Row(NamedTuple):
     """One watched form: where it is evaluated, and to what it belongs.
@@ -67,11 +70,13 @@ class Row(NamedTuple):
 class Course(Itinerary):
     """An order of phases as branches follow it: its equations and watched forms."""
 
-    #: Most phases of an order that is followed; near chatter their number has no bound.
-    most: ClassVar[int] = 40
-
     #: The compiled or plain functions of a branch.
     family: ClassVar[Family] = FAMILY
+
+    @property
+    def most(self) -> int:
+        """Most phases of an order that is followed."""
+        return MOST
 
     def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
         """Return the watched forms, by an orbit that is not at an event."""

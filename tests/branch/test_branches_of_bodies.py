@@ -15,9 +15,8 @@ import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver import branches, chart
 from nonsmooth.solver.bodies.exact import evaluated
-from nonsmooth.solver.branch.bodies import equations
+from nonsmooth.solver.branch.bodies import course, equations
 from nonsmooth.solver.branch.bodies.arrays import case_of
-from nonsmooth.solver.branch.bodies.course import BodyCourse
 from nonsmooth.solver.branch.branch import BothWays, go, start_of
 from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.branch.rows import row_of
@@ -264,7 +263,7 @@ def test_sticking_is_one_event_from_both_sides() -> None:
 
 
 def test_ever_more_impacts_end_a_branch(monkeypatch) -> None:
-    monkeypatch.setattr(BodyCourse, "most", 2)
+    monkeypatch.setattr(course, "MOST", 2)
     chain_impact = ns.scene("chain-impact")(
         mass=1.6279, damping=0.0417, gap=0.72378, restitution=0.62776, force=0.93977,
         frequency=0.44025,

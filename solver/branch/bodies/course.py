@@ -21,6 +21,9 @@ from ..course import Course, Row
 from . import equations, exponential, factors, watched, ways
 from .arrays import arrays, begins_slowly, case_of, in_order, known_of
 
+#: Most phases of an order that is followed, for each contact.
+MOST = 8
+
 #: A `BodyCell`: a scene of a body has no other.
 Cell: TypeAlias = Any
 
@@ -40,9 +43,13 @@ BODIES = Family(linked, (*walk.MODULES, *OWN), seconds=20.0)
 class BodyCourse(Course):
     """An order of phases of a scene of a body."""
 
-    most = 8
-
     family = BODIES
+
+    @property
+    def most(self) -> int:
+        """Most phases of an order that is followed."""
+        cell: Cell = self._generic
+        return MOST * int(cell.body.at.shape[1])
 
     def entries(self, cell: Cell, forms: list[Form]) -> Vector:
         """Return the entries of its arrays."""
