@@ -197,10 +197,10 @@ class Family(OfRows):
         """Return the durations of a cell's phases in s, by name; empty without an orbit."""
         scene = self.case.scene
         if row.motion and row.motion.startswith(ONLY):
-            phase = row.motion.removeprefix(ONLY)
-            return dict(zip([phase], row.durations or (), strict=False))  # without a forcing ()
-        motion = motion_of(scene, row.motion) if row.motion else scene
-        names = (name for name, _ in motion.kinds)
+            names = [row.motion.removeprefix(ONLY)]  # without a forcing it never ends
+        else:
+            motion = motion_of(scene, row.motion) if row.motion else scene
+            names = [name for name, _ in motion.kinds]
         return dict(zip(names, row.durations or (), strict=False))
 
     def plot(self, ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:

@@ -17,7 +17,7 @@ from nonsmooth.solver import branches, chart
 from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.branch.bodies import course, equations
 from nonsmooth.solver.branch.bodies.arrays import case_of
-from nonsmooth.solver.branch.branch import BothWays, go, start_of
+from nonsmooth.solver.branch.branch import BothWays, course_of, go, start_of
 from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.branch.rows import row_of
 from nonsmooth.solver.charts import curves, lines
@@ -436,9 +436,11 @@ def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> N
 
 def test_where_a_second_contact_ends_the_linear_response_is_beyond() -> None:
     """Whatever the first contact does there: that mass does not reach its stop."""
-    found = ns.branch(ns.scene(apart())(fixed=5.0), "gap", 1.0, 2.0)
+    case_of_two = ns.scene(apart())(fixed=5.0)
+    found = ns.branch(case_of_two, "gap", 1.0, 2.0)
     reach = 1 / abs(1.1 - 1.3**2 + 0.26j)
     assert found.events[-1].kind == "grazing"
     assert found.events[-1].parameter == pytest.approx(reach, rel=1e-12)
     assert found.why_it_ended == ("the end of the range",) * 2
     assert found[-1].motion in ("only p000", "only p001")
+    assert course_of(case_of_two).most == 2 * course.MOST
