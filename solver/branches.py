@@ -20,7 +20,7 @@ from .results.interrupted import Interrupted
 from .results.orbit import Orbit
 from .scenes.case import Case, check_case, index_of
 from .scenes.loaded import UnknownScene
-from .scenes.orders import OrderedScene
+from .scenes.ordered import OrderedScene
 from .scenes.parameter_error import ParameterError, is_number, repeated
 
 #: Values at which orbits are looked for where all branches are wanted.

@@ -24,7 +24,8 @@ from .charts.plane import Bounds, Plane
 from .results.chart import Chart, EventCurve
 from .results.interrupted import Interrupted
 from .scenes.case import Case, check_case, index_of
-from .scenes.orders import Order, declared_as, image
+from .scenes.ordered import declared_as
+from .scenes.orders import Order, image
 from .scenes.parameter_error import is_number
 
 #: Least and most values of an axis, and most points.

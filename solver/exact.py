@@ -12,7 +12,8 @@ from .kernels.start import PATIENCE, RoughTimes, rough_times
 from .no_orbit import NoOrbit, of_any_motion
 from .orbit.exact_orbit import ExactOrbit, from_times
 from .scenes.case import Case, check_case
-from .scenes.orders import OrderedScene, declared_as, half_if_mirrored, in_order
+from .scenes.ordered import OrderedScene, declared_as, in_order
+from .scenes.orders import half_if_mirrored
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 from .stability.stability import is_stable
 

@@ -9,16 +9,8 @@ from .existence.known import known
 from .kernels.start import RoughTimes
 from .scenes.case import Case
 from .scenes.loaded import LoadedScene, UnknownScene
-from .scenes.orders import (
-    MIRRORED,
-    Order,
-    Step,
-    declared_as,
-    half_if_mirrored,
-    in_order,
-    is_odd,
-    pairs,
-)
+from .scenes.ordered import MIRRORED, all_phases, declared_as, in_order, of_all_phases
+from .scenes.orders import Order, Step, half_if_mirrored, is_odd, pairs
 from .simulation.followers import may_follow
 from .simulation.machine import Machine
 from .simulation.machines import machine_of
@@ -62,7 +54,7 @@ def cases_in_order(
     >>> [each.scene.motion for each in cases_in_order(case, "slide,stop")]
     ['slide,stop,mirrored', 'slide,-stop']
     """
-    base = case.scene.fullest
+    base = all_phases(case.scene)
     names = phases.split(",") if isinstance(phases, str) else list(phases)
     names = [name.strip() for name in names]
     half = names[-1:] == [MIRRORED]
@@ -80,11 +72,11 @@ def cases_in_order(
 def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
     """Yield the orders on which simulations settle: cases, and times of their cells.
 
-    Simulated is the motion with the most phases; others may be declared, too.  Their motions
-    have the period of the case.  For the starts see `from_several_states`.
+    They may be declared orders, too.  Their motions have the period of the case.  For the
+    starts see `from_several_states`.
     """
-    base = case.of_fullest()
-    listed = known(base).listed
+    base = of_all_phases(case)
+    listed = all(known(each).listed for each in case.each_motion)
     orders: set[Order] = set()
     for settled in from_several_states(base, FEW if listed else PHASES):
         other = settled.other.within(case.cycles) if settled.other else None
@@ -105,7 +97,7 @@ def choices(base: LoadedScene, name: str) -> list[Step]:
         If there is none.
     """
     plain = name.removeprefix("-")
-    steps = [Step(p, name != plain) for p, phase in enumerate(base.phases) if phase == plain]
+    steps = [Step(p, name != plain) for p in base.called(plain)]
     if not steps or (name != plain and not base.half_period):
         raise UnknownScene(f"phases: got {name!r}, expected {one_of(plain, base.phases)}")
     return steps
@@ -125,12 +117,12 @@ def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
     if motion == scene.motion:
         return scene
     scene = scene.whole
-    names = motion.split(",") if isinstance(motion, str) else []
-    if motion in scene.motions or names[:1] == [] or names[0].lstrip("-") not in scene.phases:
+    base, names = all_phases(scene), motion.split(",") if isinstance(motion, str) else [""]
+    if motion in scene.motions or not base.called(names[0].removeprefix("-")):
         return scene.of_motion(motion)
     half = names[-1] == MIRRORED
-    steps = (choices(scene.fullest, name)[0] for name in (names[:-1] if half else names))
-    return in_order(scene.fullest, Order(tuple(steps), half))
+    steps = (choices(base, name)[0] for name in (names[:-1] if half else names))
+    return in_order(base, Order(tuple(steps), half))
 
 
 def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:

@@ -10,6 +10,7 @@ import numpy as np
 from .arrays import Integers, Matrix, Vector
 from .results.strobe import Attractor, Basins, Diagram
 from .scenes.case import Case, check_case, index_of
+from .scenes.ordered import of_all_phases
 from .scenes.parameter_error import is_number, whole
 from .simulation.bodies.machine import BodyMachine
 from .simulation.bodies.units import state_of, units_of
@@ -80,7 +81,7 @@ def diagram(
     _check_forced(case)
     index_of(case, parameter)
     cases = [
-        case.with_value(parameter, value).of_fullest() for value in _several("values", values)
+        of_all_phases(case.with_value(parameter, value)) for value in _several("values", values)
     ]
     whole("values", len(cases), 1, MOST_VALUES)
     whole("transient", transient, 0, MOST_CYCLES)
@@ -134,9 +135,9 @@ def basins(
     """
     _check_forced(case)
     whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
-    xs, vs = map(_axis, ("x", "v"), (x, v), _units(case.of_fullest())[:2])
+    xs, vs = map(_axis, ("x", "v"), (x, v), _units(of_all_phases(case))[:2])
     whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
-    case, mapping = case.of_fullest(), map if executor is None else executor.map
+    case, mapping = of_all_phases(case), map if executor is None else executor.map
     rows = mapping(_tails, repeat(case), repeat(xs), vs, repeat(cycles))
     tails = []
     for value, row in zip(vs, rows, strict=True):

@@ -9,6 +9,7 @@ from ..python_text import python
 from ..scene import Phase, Scene, forcing, linear_phase, state_row, v, x
 from ..scene.bodies.body import Body, force
 from ..scene.bodies.law import form, law_rows, place
+from ..scene.data import SceneData
 from ..scene.linear import without_modulus
 from ..scene.parameters import at_extremes
 from ..scene.scales import scales
@@ -79,7 +80,7 @@ def extremes(scene: Scene) -> Function:
     return _rows("extremes", summary, at_extremes(scene))
 
 
-def of_phases(scene: Scene) -> Iterator[Function]:
+def of_phases(scene: SceneData) -> Iterator[Function]:
     """Yield the functions on the phases of one motion."""
     phases, memory = scene.cell, [q.symbol for q in scene.memory]
 
@@ -166,7 +167,7 @@ def guess(scene: Scene) -> Function:
     return _scalars("guess", summary, scene.guess)
 
 
-def _jump(phase: Phase, scene: Scene) -> tuple[sp.Expr, ...]:
+def _jump(phase: Phase, scene: SceneData) -> tuple[sp.Expr, ...]:
     """Return rho and d of each velocity at the end of a phase: ``v+ = rho v + d``."""
     if scene.body is None:
         _, rho, _, constant = form(phase.ends.jump.get(v, v), scene, phase.name, memory=False)

@@ -10,6 +10,8 @@ from .. import expansions
 from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
 from ..scene.bodies.body import Body
+from ..scene.data import SceneData
+from ..scene.orders import all_phases
 from ..scene.parameters import power_of_time
 from ..scene.smoothness import class_of, classes_of
 from ..scene.units import dimension_of
@@ -39,15 +41,14 @@ entry more for each constant of `MEMORY`."""
 def scene_source(scene: Scene) -> str:
     """Return the text of ``generated/<scene>/scene.py``, or of one motion of a scene."""
     defined = _functions(scene)
-    guessed = [] if scene.motions else [guess(scene)]
-    nonempty = (each for each in (*defined, *guessed) if each.entries)
+    further = of_phases(all_phases(scene).scene) if scene.motions else [guess(scene)]
+    nonempty = (each for each in (*defined, *further) if each.entries)
     functions = "\n\n".join(each.source(scene) for each in nonempty)
     body = "\n".join(_data(scene)) + "\n\n\n" + functions
     extremes_text = _extremes(scene)
     names = math_names(functions + extremes_text)
     imports = f"from math import {', '.join(names)}\n\n" if names else ""
     forms = FORMS if scene.body is None else FORMS_OF_BODY
-    forms = "" if scene.motions else forms
     head = HEADER.format(name=scene.label, title=scene.title, k=class_of(scene), forms=forms)
     hashes = f'MATHEMATICS = "{mathematics(scene)}"  # of what fixes its motion\n'
     hashes += f'BODY = "{digest(body)}"  # of the text below\n\n'
@@ -60,7 +61,7 @@ def mathematics(scene: Scene) -> str:
     Words, defaults, guesses and extremes are left out: they change no orbit.
     """
     parameters = sorted(f"{q.name} {q.symbol.name}" for q in scene.parameters)
-    phases = [(phase.name, phase.held is not None) for phase in scene.cell]
+    phases = [(phase.name, phase.held is not None) for phase in scene.phases]
     memory = [(q.symbol.name, q.at) for q in scene.memory]
     forms = [(function.name, function.entries) for function in _functions(scene)]
     motion = scene.half_period, str(scene.frequency), tuple(scene.motions), scene.motion
@@ -121,8 +122,11 @@ def _data(scene: Scene) -> Iterator[str]:
     yield from _table("PARAMETERS", (repr(_parameter(q)) for q in scene.parameters))
     yield "#: Powers of mass, length and time in the unit of each."
     yield from _table("POWERS", (_powers(q.unit) for q in scene.parameters))
-    if not scene.motions:
+    if scene.motions:
+        yield from _data_of_motions(scene)
+    else:
         yield from _data_of_phases(scene)
+        yield from _data_of_switches(scene)
     yield "#: The expressions in the parameters that must not be negative, in words."
     yield f"REQUIRES = {tuple(scene.requires)!r}"
 
@@ -142,9 +146,17 @@ def _table(name: str, rows: Iterable[str]) -> Iterator[str]:
     yield ""
 
 
-def _data_of_phases(scene: Scene) -> Iterator[str]:
-    """Yield the lines of the constants of a scene's phases."""
-    cell_switches, phases = switches(scene), scene.cell
+def _data_of_motions(scene: Scene) -> Iterator[str]:
+    """Yield the lines of the constants of all phases that occur in several motions."""
+    every = all_phases(scene)
+    yield from _data_of_phases(every.scene)
+    yield "#: The order of them that each motion declares: index, and whether mirrored."
+    yield from _table("ORDERS", (repr(every.orders[name]) for name in scene.motions))
+
+
+def _data_of_phases(scene: SceneData) -> Iterator[str]:
+    """Yield the lines of the constants of phases."""
+    phases = scene.cell
     names = [phase.name for phase in phases]
     memory = tuple(
         (q.symbol.name, names.index(q.at), power_of_time(scene, q), q.what)
@@ -153,11 +165,6 @@ def _data_of_phases(scene: Scene) -> Iterator[str]:
     yield "#: Name of each phase, and whether a constraint holds its velocity."
     yield f"PHASES = {tuple((p.name, p.held is not None) for p in phases)!r}"
     yield ""
-    yield "#: What begins each phase: class, and the first derivative that jumps."
-    yield f"SWITCHES = {tuple((switch.k, switch.derivative) for switch in cell_switches)!r}"
-    defaults = classes_of(scene, {q.symbol: sp.sympify(q.default) for q in scene.parameters})
-    yield f"CLASSES_OF_DEFAULTS = {defaults!r}  # of the default parameters"
-    yield ""
     yield "#: Constants that switches set: name, the phase whose beginning does, the power of"
     yield "#: 1/time in its unit, what it is."
     yield f"MEMORY = {memory!r}"
@@ -165,6 +172,15 @@ def _data_of_phases(scene: Scene) -> Iterator[str]:
     yield "#: What must not be negative: in each phase, and at the switch that ends it."
     yield f"DEMANDS = {tuple(words_of(phase.demands) for phase in phases)!r}"
     yield f"SWITCH_DEMANDS = {tuple(words_of(phase.ends.demands) for phase in phases)!r}"
+    yield ""
+
+
+def _data_of_switches(scene: Scene) -> Iterator[str]:
+    """Yield the lines of the constants of the switches of one motion."""
+    yield "#: What begins each phase: class, and the first derivative that jumps."
+    yield f"SWITCHES = {tuple((q.k, q.derivative) for q in switches(scene))!r}"
+    defaults = classes_of(scene, {q.symbol: sp.sympify(q.default) for q in scene.parameters})
+    yield f"CLASSES_OF_DEFAULTS = {defaults!r}  # of the default parameters"
     yield ""
 
 

@@ -5,21 +5,73 @@ mirror image of one, and ``mirrored`` at the end if they are half a period.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
+from typing import NamedTuple
 
 import sympy as sp
 
 from ...nearest import numbered, one_of
-from .data import Memory, Phase, a, forcing, v, with_values, x
+from .data import Memory, Phase, SceneData, a, forcing, v, with_values, x
 from .error import SceneError
 from .scene import Scene
 
 #: Last word of an order of half a period; and suffix of the name of a mirrored phase.
 MIRRORED, IMAGE = "mirrored", "_m"
 
+#: A phase by its index, and whether it is mirrored.
+Place = tuple[int, bool]
+
+
+class AllPhases(NamedTuple):
+    """The phases of all motions of a scene, each once, and where each motion has them.
+
+    Parameters
+    ----------
+    scene : SceneData
+        With the phases of the longest motion, then those that only others have.  One whose
+        name occurs before has a number behind it.
+    orders : mapping of str to tuple of Place
+        The phases of each motion.  A motion in which another phase sets a memory has none
+        here, and its phases may be missing.
+    """
+
+    scene: SceneData
+    orders: Mapping[str, tuple[Place, ...]]
+
+
+def all_phases(scene: SceneData) -> AllPhases:
+    """Return the phases of all motions of a scene.
+
+    Phases are the same, by whatever name, if they have the same law, end and demands.  Demands
+    at their switches may differ: they tell what follows.
+    """
+    longest, *others = sorted(scene.each_motion, key=lambda each: -len(each.phases))
+    phases = list(longest.phases)
+    setters = {q.at: (_index(longest, q.at), False) for q in scene.memory}
+    orders: dict[str, tuple[Place, ...]] = dict.fromkeys(scene.motions, ())
+    orders[longest.motion] = tuple((p, False) for p in range(len(phases)))
+    for motion in others:
+        places = [_place(phase, phases, scene) for phase in motion.phases]
+        if any(places[_index(motion, name)] != place for name, place in setters.items()):
+            continue
+        new = [q for q, place in zip(motion.phases, places, strict=True) if place is None]
+        numbers = iter(range(len(phases), len(phases) + len(new)))
+        orders[motion.motion] = tuple(place or (next(numbers), False) for place in places)
+        phases += new
+    names = numbered([phase.name for phase in phases])
+    named = tuple(replace(q, name=name) for q, name in zip(phases, names, strict=True))
+    values = {field.name: getattr(scene, field.name) for field in fields(SceneData)}
+    whole = SceneData(**(values | {"phases": named, "motions": {}, "guess": ()}))
+    return AllPhases(whole, orders)
+
+
+def _index(motion: SceneData, name: str) -> int:
+    """Return the index of the phase of a motion that has a name."""
+    return [phase.name for phase in motion.phases].index(name)
+
 
 def in_order(scene: Scene, phases: str) -> Scene:
-    """Return a scene with phases of its longest motion in another order.
+    """Return a scene with phases of its motions in another order.
 
     A phase or a memory that occurs again has a number after its name.
 
@@ -37,7 +89,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
     >>> found.phases[2].equation
     -F*forcing + F_N*mu_k + a*m + c*v + k*x
     """
-    base = max(scene.each_motion, key=lambda each: len(each.phases))
+    base = all_phases(scene).scene if scene.motions else scene
     names = [name.strip() for name in phases.split(",")]
     half = names[-1:] == [MIRRORED]
     names = names[:-1] if half else names
@@ -59,7 +111,8 @@ def in_order(scene: Scene, phases: str) -> Scene:
         ordered.append(replace(with_values(phase, values), name=new_name))
     try:
         return replace(
-            base,
+            scene,
+            motions={},
             phases=tuple(ordered),
             half_period=half,
             memory=memory,
@@ -72,7 +125,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
 
 
 def _settings(
-    scene: Scene, steps: Sequence[tuple[str, bool]], called: Sequence[str], half: bool
+    scene: SceneData, steps: Sequence[tuple[str, bool]], called: Sequence[str], half: bool
 ) -> tuple[tuple[Memory, ...], list[dict[sp.Symbol, sp.Expr]]]:
     """Return a memory for each phase that sets one, and its symbol in each phase.
 
@@ -99,7 +152,7 @@ def _settings(
 
 
 def _begins_mirrored(
-    scene: Scene, steps: Sequence[tuple[str, bool]], p: int, half: bool
+    scene: SceneData, steps: Sequence[tuple[str, bool]], p: int, half: bool
 ) -> bool:
     """Return whether phase `p` of an order begins as the mirror image of the declared phase.
 
@@ -117,7 +170,7 @@ def _begins_mirrored(
     return mirrored != turned
 
 
-def _image(scene: Scene) -> dict[sp.Symbol, sp.Expr]:
+def _image(scene: SceneData) -> dict[sp.Symbol, sp.Expr]:
     """Return the state of the motion ``-x``, half a period of the forcing later, by symbols."""
     state = [x, v, a, forcing, *(each.symbol for each in scene.memory)]
     if scene.body is not None:
@@ -125,7 +178,7 @@ def _image(scene: Scene) -> dict[sp.Symbol, sp.Expr]:
     return {symbol: -symbol for symbol in state}
 
 
-def _mirrored(phase: Phase, scene: Scene) -> Phase:
+def _mirrored(phase: Phase, scene: SceneData) -> Phase:
     """Return the mirror image of a phase of a scene."""
     image = _image(scene)
     mirrored = with_values(phase, image)
@@ -144,8 +197,28 @@ def _mirrored(phase: Phase, scene: Scene) -> Phase:
     )
 
 
-def _is_odd(scene: Scene) -> bool:
+def _is_odd(scene: SceneData) -> bool:
     """Return whether the mirror image of each phase is a phase: by law, event and jumps."""
+    images = [_mirrored(phase, scene) for phase in scene.phases]
+    return all(any(_alike(one, other, scene) for other in scene.phases) for one in images)
+
+
+def _place(phase: Phase, phases: Sequence[Phase], scene: SceneData) -> Place | None:
+    """Return where a phase, or its mirror image, is among some; None if it is not."""
+    for mirrored in (False, True)[: 2 if scene.half_period else 1]:
+        wanted = _mirrored(phase, scene) if mirrored else phase
+        for p, other in enumerate(phases):
+            if _alike(wanted, other, scene) and _demands(wanted) == _demands(other):
+                return p, mirrored
+    return None
+
+
+def _demands(phase: Phase) -> set[sp.Expr]:
+    return {sp.expand(sp.sympify(demand)) for demand in phase.demands.values()}
+
+
+def _alike(one: Phase, other: Phase, scene: SceneData) -> bool:
+    """Return whether two phases have the same law, event and jumps."""
     contacts = () if scene.body is None else scene.body.at.values()
     velocities = [v, *(contact.v for contact in contacts)]
 
@@ -154,13 +227,7 @@ def _is_odd(scene: Scene) -> bool:
         behind = [jump.get(q, q) for q in velocities]
         return sp.Matrix([*laws, phase.held or 0, *behind, sign * phase.ends.zero])
 
-    def is_image(one: Phase, other: Phase) -> bool:
-        return any(
-            (said(one, 1) - said(other, sign)).expand().is_zero_matrix for sign in (1, -1)
-        )
-
-    images = [_mirrored(phase, scene) for phase in scene.phases]
-    return all(any(is_image(one, other) for other in scene.phases) for one in images)
+    return any((said(one, 1) - said(other, sign)).expand().is_zero_matrix for sign in (1, -1))
 
 
 def _named(demands: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:

@@ -25,7 +25,7 @@ def extremes(m1, m2, k1, k2, c1, c2, f_R, F, Omega):
 
 
 MATHEMATICS = "5570f5bb39a077256c82effc9be8488df3732dac4b33bf95461a14f6ea785e14"  # of what fixes its motion
-BODY = "302c90384c69da9f12683eee0c258517d09f3d888acd46206e732e9303dad9e8"  # of the text below
+BODY = "09c46743373d553c61c7c4b1404d292c7fa57cd15558eca639021b9a547372be"  # of the text below
 
 NAME = 'absorber-friction'
 TITLE = 'a driven mass and a tuned absorber, with dry friction between them'
@@ -68,10 +68,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('slip', False), ('stick', True))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((2, "x'''"), (1, "x''"))
-CLASSES_OF_DEFAULTS = (2, 1)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -79,6 +75,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the absorber slips forward',), ('friction holds', 'friction holds'))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((2, "x'''"), (1, "x''"))
+CLASSES_OF_DEFAULTS = (2, 1)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

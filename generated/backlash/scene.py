@@ -29,7 +29,7 @@ def extremes(m, c, k, k_0, g, F, Omega):
 
 
 MATHEMATICS = "06718938ed5de4dfae7dff0e327e7b6daf802d4b93a65531811cbc8903d2119b"  # of what fixes its motion
-BODY = "0eea8bab2601632c7154a3b7551ed6f11693c245d6f9d0de426c19364d6246c3"  # of the text below
+BODY = "f476e489f8faeeda6ba0a34606e07b2b9f2cb0ff7c187f2c8769979f9e9cfd34"  # of the text below
 
 NAME = 'backlash'
 TITLE = 'a driven mass with play on both sides of its spring'
@@ -66,10 +66,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('engaged', False), ('loose', False))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((2, "x'''"), (2, "x'''"))
-CLASSES_OF_DEFAULTS = (2, 2)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -77,6 +73,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the spring is engaged',), ('the mass stays within the play', 'the mass stays within the play'))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((2, "x'''"), (2, "x'''"))
+CLASSES_OF_DEFAULTS = (2, 2)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

@@ -27,7 +27,7 @@ def extremes(zeta, n_m, k_c, g, F, Omega):
 
 
 MATHEMATICS = "1a0ffa99c85b3427a965965bad11ba8a5ee6464193b58e7cb09d085c5a9b4537"  # of what fixes its motion
-BODY = "7b1bc89587277b40803bbd33c9baf87a0955d88368ccf1b6b59770e8bbf385ac"  # of the text below
+BODY = "ee2f63c4c6c2b55c12c8f24d6f9839f587d900310f97c7caf9827787a6e4eddf"  # of the text below
 
 NAME = 'beam-clearance'
 TITLE = 'a steel cantilever with an elastic stop behind a gap at its tip'
@@ -64,10 +64,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('contact', False), ('separated', False))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((2, "x'''"), (2, "x'''"))
-CLASSES_OF_DEFAULTS = (2, 2)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -75,6 +71,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the tip presses the stop',), ('the tip stays before the stop',))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((2, "x'''"), (2, "x'''"))
+CLASSES_OF_DEFAULTS = (2, 2)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

@@ -27,7 +27,7 @@ def extremes(zeta, n_m, g, r, F, Omega):
 
 
 MATHEMATICS = "14dbd6a99c5a23a6ce27ee473218c39a1c6e4b902bfa1ae3f5596149d84aba68"  # of what fixes its motion
-BODY = "a9a6534d28525c384981852f6e1700b5648d93dcc63643e076ef262fdfce8953"  # of the text below
+BODY = "6dbfd99607d1af9e3c538c94cf9b96ab277b1c0e496ee5c77dda0e575c4bd830"  # of the text below
 
 NAME = 'beam-impact'
 TITLE = 'a steel cantilever with a mass at its tip that bounces off a rigid stop'
@@ -64,10 +64,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('flight', False),)
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((0, "x'"),)
-CLASSES_OF_DEFAULTS = (0,)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -75,6 +71,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the tip stays before the stop',),)
 SWITCH_DEMANDS = ((),)
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((0, "x'"),)
+CLASSES_OF_DEFAULTS = (0,)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

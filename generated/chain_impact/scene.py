@@ -25,7 +25,7 @@ def extremes(m, c, k, g, r, F, Omega):
 
 
 MATHEMATICS = "a40a718c0c300187a72d468fba1fe24533a2dd3af95b0fbeeaeac7570966e35a"  # of what fixes its motion
-BODY = "08f4beef909c33f167d132ce939617b25e2f64d1abe72d3c39e651b03ff3db7c"  # of the text below
+BODY = "13ced2450e835c700431bed7a2234a2325a7d20fa6d99653b78cb4ffb1fbd082"  # of the text below
 
 NAME = 'chain-impact'
 TITLE = '5 masses in a row, the last of which bounces off a stop'
@@ -64,10 +64,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('flight', False),)
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((0, "x'"),)
-CLASSES_OF_DEFAULTS = (0,)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -75,6 +71,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the last mass stays before the stop',),)
 SWITCH_DEMANDS = ((),)
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((0, "x'"),)
+CLASSES_OF_DEFAULTS = (0,)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

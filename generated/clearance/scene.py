@@ -35,7 +35,7 @@ def extremes(m, c, k, k_c, g, F, Omega):
 
 
 MATHEMATICS = "e8d5d31d03f8f7339d1e8f0676521e48d780e46bfa0ba59140a98d51ea2e9cbe"  # of what fixes its motion
-BODY = "9bc83d7ec1d0c70fc6848da3e78b92570caf27dc09fe7afbb9105879019f06c2"  # of the text below
+BODY = "8558227e29d426dd4303dffd80bd7442803855752bd2995fd653616d77f0a335"  # of the text below
 
 NAME = 'clearance'
 TITLE = 'a driven mass with a second spring behind a clearance'
@@ -72,10 +72,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('contact', False), ('separated', False))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((2, "x'''"), (2, "x'''"))
-CLASSES_OF_DEFAULTS = (2, 2)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -83,6 +79,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the second spring is pressed',), ('the mass stays off the second spring',))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((2, "x'''"), (2, "x'''"))
+CLASSES_OF_DEFAULTS = (2, 2)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

@@ -35,7 +35,7 @@ def extremes(m, c, k, F_y, h, F, Omega):
 
 
 MATHEMATICS = "63955929b2bd9ff90460bb747ab34ee37fce4750734e4ade22e85a934edee892"  # of what fixes its motion
-BODY = "814fc60c6cb370208dc35709ef615c8a7532b68b3cd0826405ed1870be9d43ef"  # of the text below
+BODY = "9412a57ae9f208350b45eacc6ebb313567bd0e89435e35334a9af7a938af27f8"  # of the text below
 
 NAME = 'elastic-plastic'
 TITLE = 'a driven mass on an elastic-plastic element'
@@ -72,10 +72,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('elastic', False), ('plastic', False))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((3, "x''''"), (2, "x'''"))
-CLASSES_OF_DEFAULTS = (3, 2)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = (('w', 0, 0, 'displacement where the motion reverses'),)
@@ -83,6 +79,10 @@ MEMORY = (('w', 0, 0, 'displacement where the motion reverses'),)
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the force stays within the yield force', 'the force stays within the yield force'), ('the mass moves backward',))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((3, "x''''"), (2, "x'''"))
+CLASSES_OF_DEFAULTS = (3, 2)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

@@ -35,7 +35,7 @@ def extremes(m, c, k, F, Omega, g, r):
 
 
 MATHEMATICS = "3ed960e7555145f22aedf028c5b7fa15bd4cff7d47800c08a4be2c8f613906a3"  # of what fixes its motion
-BODY = "05c76ab6094eb20d03ddfc94a2ed74812873368d227173429e383608ff7408a0"  # of the text below
+BODY = "187cae8d222396efee0c4a0c3a9ffba6cc8afcaec79c4dc3272aa1bd90c5ae60"  # of the text below
 
 NAME = 'impact'
 TITLE = 'a driven mass that bounces off a stop'
@@ -72,10 +72,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('flight', False),)
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((0, "x'"),)
-CLASSES_OF_DEFAULTS = (0,)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -83,6 +79,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the mass stays before the stop',),)
 SWITCH_DEMANDS = ((),)
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((0, "x'"),)
+CLASSES_OF_DEFAULTS = (0,)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

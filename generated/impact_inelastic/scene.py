@@ -29,7 +29,7 @@ def extremes(m, c, k, F, Omega, g):
 
 
 MATHEMATICS = "f819b331bd93c58b00c9b5be5a86e7d6ad9c56b81335f74c8c5a1e14191abb92"  # of what fixes its motion
-BODY = "0a595d6338c705f104cab317558357baa364833857cdf98b7f48fa7c556e0679"  # of the text below
+BODY = "5130f63c2548f2317a618f066e9edb163810ff4f03ae252cabc1b12328912af5"  # of the text below
 
 NAME = 'impact-inelastic'
 TITLE = 'a driven mass that hits a stop and rests on it'
@@ -64,10 +64,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('flight', False), ('rest', True))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((2, "x'''"), (0, "x'"))
-CLASSES_OF_DEFAULTS = (2, 0)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -75,6 +71,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the mass stays before the stop',), ('the mass is pressed on to the stop',))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((2, "x'''"), (0, "x'"))
+CLASSES_OF_DEFAULTS = (2, 0)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

@@ -33,7 +33,7 @@ def extremes(m, c, k, F, Omega, g, r):
 
 
 MATHEMATICS = "8906079daa39669ab5399c649d3bec38a04e75b7f04f6e96dac9a68949808ab5"  # of what fixes its motion
-BODY = "64d1a7342790f85243b47668c26a9226ea06a7be3e31a50667485c3534781893"  # of the text below
+BODY = "7bbdc78baf3a7b76bf36ba76967f3de1d4fe167141ed704fdc6d878b77383762"  # of the text below
 
 NAME = 'impact-two-sided'
 TITLE = 'a driven mass that bounces between two stops'
@@ -70,10 +70,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('crossing', False),)
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((0, "x'"),)
-CLASSES_OF_DEFAULTS = (0,)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -81,6 +77,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the mass stays between the stops', 'the mass stays between the stops'),)
 SWITCH_DEMANDS = ((),)
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((0, "x'"),)
+CLASSES_OF_DEFAULTS = (0,)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

@@ -25,7 +25,7 @@ def extremes(m1, m2, k1, k2, k_t, c1, c2, f_R, F, Omega):
 
 
 MATHEMATICS = "b6a7f8075a23e5c7c643792e92a766f43428ac4080a1827f00b0714e3f606108"  # of what fixes its motion
-BODY = "fed33588624c4350d9d2badd724c28b4f5420e28a4b648fe6a70f9d490d05ced"  # of the text below
+BODY = "986d8548032f3eccacbe212a577ff361222a19892377aeba2e2cd716342b2418"  # of the text below
 
 NAME = 'jenkins-absorber'
 TITLE = 'a driven mass and an absorber, joined by a spring and a slider in series'
@@ -70,10 +70,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('slip', False), ('stick', False))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((2, "x'''"), (3, "x''''"))
-CLASSES_OF_DEFAULTS = (2, 3)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = (('w', 1, 0, 'where the slider is'),)
@@ -81,6 +77,10 @@ MEMORY = (('w', 1, 0, 'where the slider is'),)
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the joint slips forward',), ('the slider holds', 'the slider holds'))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((2, "x'''"), (3, "x''''"))
+CLASSES_OF_DEFAULTS = (2, 3)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ()

@@ -35,7 +35,7 @@ def extremes(M, K, V, mu_s, mu_k, F_N):
 
 
 MATHEMATICS = "b126a957aaa75bfcd0d08fe86940acc128fac96454a28d15ef426da8ef16187a"  # of what fixes its motion
-BODY = "678311c2eb3890f361bcfa363b208e0f10713ba78d3e4ed7602e86fa69756d21"  # of the text below
+BODY = "50b51eed0e8dbbeb0874500fc28e21470847cb1620ec86f26fe5ccf8a6fd1642"  # of the text below
 
 NAME = 'stick-slip'
 TITLE = 'a mass on a moving belt, stick and slip'
@@ -70,10 +70,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('stick', True), ('slip', False))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((1, "x''"), (1, "x''"))
-CLASSES_OF_DEFAULTS = (1, 1)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -81,6 +77,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the spring force stays within the static limit', 'the spring force stays within the static limit'), ('the mass stays slower than the belt',))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((1, "x''"), (1, "x''"))
+CLASSES_OF_DEFAULTS = (1, 1)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)

@@ -37,7 +37,7 @@ def extremes(M, K, V, mu_s, mu_k, F_N, c, w):
 
 
 MATHEMATICS = "6f2862355a3421eb06cc761ae3464832484bb715a044bf0e09afecc2e3d9645c"  # of what fixes its motion
-BODY = "b6e287b098011eddc7529be576da202e9c218515314b91c3ea47a133235fe5eb"  # of the text below
+BODY = "8806765941c9de8158c66af6e98937e03944faf91686bb93708d8695eadb3f8b"  # of the text below
 
 NAME = 'stick-slip-damped'
 TITLE = 'a damped mass on a moving belt, with weakening friction'
@@ -76,10 +76,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('stick', True), ('slip', False))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((1, "x''"), (1, "x''"))
-CLASSES_OF_DEFAULTS = (1, 1)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -87,6 +83,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the load stays within the static limit', 'the load stays within the static limit'), ('the mass stays slower than the belt',))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((1, "x''"), (1, "x''"))
+CLASSES_OF_DEFAULTS = (1, 1)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)

@@ -12,7 +12,8 @@ from ..arrays import Vector
 from ..existence.reasons import WithoutSwitches
 from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
-from ..scenes.orders import Order, OrderedScene, Step
+from ..scenes.ordered import placed
+from ..scenes.orders import Order, Step
 from .bodies.course import BodyCourse
 from .course import Course
 from .follow import CLOSED, PART, Segment, follow, in_units
@@ -84,14 +85,8 @@ class BothWays:
 
 def course_of(case: Case) -> Course:
     """Return the order of phases of a case of one motion."""
-    scene = case.scene
-    kind = BodyCourse if scene.has_body else Course
-    if isinstance(scene, OrderedScene):
-        return kind(scene.base, scene.order, case.cycles)
-    having = (q for q in scene.whole.each_motion if set(scene.phases) <= set(q.phases))
-    base = max(having, key=lambda each: len(each.phases))
-    steps = tuple(Step(base.phases.index(name)) for name in scene.phases)
-    return kind(base, Order(steps, scene.half_period), case.cycles)
+    kind = BodyCourse if case.scene.has_body else Course
+    return kind(*placed(case.scene), case.cycles)
 
 
 def start_of(

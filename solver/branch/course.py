@@ -18,8 +18,9 @@ from ..scenes.case import Case
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
 from ..scenes.parameter_error import ParameterError
-from ..simulation.nodes import Node, walls
-from ..simulation.steps.column import NONE
+from ..simulation.machine import Machine
+from ..simulation.nodes import Node
+from ..simulation.steps.column import NONE, WALL
 from . import walk, watch
 from .along import (
     Along,
@@ -88,7 +89,7 @@ class Course(Itinerary):
             v = None if self.endless else self.velocity_behind(cell, z, p)
             for h, node in enumerate(machine.nodes):
                 ended = machine.node(self.order.steps[p])
-                if v is not None and _may_hold(machine.nodes, ended, h, v):
+                if v is not None and _may_hold(machine, ended, h, v):
                     rows += [Row(p, BEHIND, i, h) for i in range(len(node.phase.demands))]
         return rows
 
@@ -319,12 +320,12 @@ class Course(Itinerary):
         return table
 
 
-def _may_hold(nodes: Sequence[Node], ended: Node, h: int, v: float) -> bool:
+def _may_hold(machine: Machine, ended: Node, h: int, v: float) -> bool:
     """Whether node h, which holds the velocity at v, could follow any state behind an event."""
-    node, wall = nodes[h], walls(nodes)[h]
+    node, wall = machine.nodes[h], machine.rules.kinds[h, WALL]
     speed = node.phase.speed
     if not node.phase.held or abs(v - speed) > ROUNDING * max(1.0, abs(speed)):
         return False
     if ended.event in node.demands:  # it has just ended so
         return False
-    return wall == NONE or nodes[wall].event == ended.event
+    return bool(wall == NONE or machine.nodes[wall].event == ended.event)

@@ -21,7 +21,7 @@ from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
-from ..scenes.orders import OrderedScene
+from ..scenes.ordered import OrderedScene
 from ..stability.stability import is_stable
 from . import bodies, one_phase, two_phases
 

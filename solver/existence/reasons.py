@@ -13,7 +13,7 @@ from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Phase
-from ..scenes.orders import ONLY
+from ..scenes.ordered import ONLY, placed
 from ..simulation.lasting import response, swing
 from . import two_phases
 from .bodies import in_one_phase
@@ -139,15 +139,16 @@ def motions_without_switches(case: Case) -> list[WithoutSwitches]:
     """Return the motions of a case without switches, for phases of all its motions."""
     motions = {}
     for each in case.each_motion:
-        cell = each.cell
-        for phase in cell.phases if cell.forced and not cell.memory else ():
-            if phase.held or phase.name in motions:
+        cell, (base, order) = each.cell, placed(each.scene)
+        for phase, step in zip(cell.phases, order.steps, strict=True):
+            name = base.phases[step.phase]
+            if phase.held or name in motions or cell.memory or not cell.forced:
                 continue
             within = _within(each, phase)
             if within is not None:
                 *ends, stable = within
                 least, largest = (end * each.units.length for end in ends)
-                motions[phase.name] = WithoutSwitches(each, phase.name, least, largest, stable)
+                motions[name] = WithoutSwitches(each, name, least, largest, stable)
     return list(motions.values())
 
 

@@ -12,7 +12,7 @@ from ..orbit.errors import Errors
 from ..presentation.table import OfRows, Table, flat
 from ..scenes.case import Case
 from ..scenes.methods import shown
-from ..scenes.orders import ONLY
+from ..scenes.ordered import ONLY
 from .document import errors_of
 
 

@@ -108,14 +108,6 @@ class Case:
         """
         return Case(self.scene.of_motion(name), self.values, self.cycles)
 
-    def of_fullest(self) -> "Case":
-        """Return the case of the motion with the most phases; itself if it is the only one."""
-        fullest = self.scene.fullest
-        if fullest is self.scene:
-            return self
-        odd = self.cycles % 2 == 1 or not fullest.half_period
-        return Case(fullest, self.values, self.cycles if odd else 1)
-
     @property
     def whole(self) -> "Case":
         """The case of all motions of the scene; itself if it has only one."""

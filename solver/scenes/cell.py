@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from operator import mul
 from typing import TYPE_CHECKING, Any, Self
 
@@ -161,6 +162,9 @@ class Cell:
     start : Form
         Factors of x and x', and a constant, of a form that vanishes where the first phase of
         the exact orbit begins; empty if the scene states none.
+    orders : tuple of tuple
+        If the phases are those of several motions: the order in which each has them, by index
+        and whether mirrored.  Empty for one motion, whose phases follow in turn.
     """
 
     phases: tuple[Phase, ...]
@@ -172,6 +176,7 @@ class Cell:
     memory: tuple[Memory, ...] = ()
     classes: tuple[int, ...] = ()
     start: Form = ()
+    orders: tuple[tuple[tuple[int, bool], ...], ...] = ()
 
     def remembering(self, values: Sequence[float]) -> "Cell":
         """Return a cell without a memory, with these values put in."""
@@ -193,6 +198,19 @@ class Cell:
             return (*form[:width], *map(mul, form[width:], signs))
 
         return replace(phase.with_forms(put), memory=tuple(map(mul, phase.memory, signs)))
+
+    def followers(self, p: int) -> tuple[tuple[int, bool], ...]:
+        """Return the phases that the scene declares to follow phase `p`, and whether mirrored.
+
+        First that of the longest motion, whose demands at the switch the phase has.
+        """
+        in_turn = tuple((q, False) for q in range(len(self.phases)))
+        found = []
+        for places in sorted(self.orders, key=len, reverse=True) or (in_turn,):
+            first = [(q, mirrored != (self.sign < 0)) for q, mirrored in places[:1]]
+            for (q, mirrored), (after, turned) in pairwise((*places, *first)):
+                found += [(after, turned != mirrored)] if q == p else []
+        return tuple(dict.fromkeys(found))
 
     def place(self, p: int) -> float | None:
         """Return the displacement at which phase `p` rests; None if it is not known in advance.
@@ -280,6 +298,7 @@ def fields_of_cell(scene: "LoadedScene", numbers: tuple[float, ...]) -> dict[str
             for (name, phase, power, _), value in zip(scene.memory, values, strict=True)
         ),
         "classes": scene.classes,
+        "orders": scene.orders,
     }
 
 

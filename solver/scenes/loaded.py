@@ -222,9 +222,13 @@ class LoadedScene:
         return load_folder(self.folder / folder, content)
 
     @property
-    def fullest(self) -> "LoadedScene":
-        """Its motion with the most phases, from which undeclared orders of phases are made."""
-        return max(self.each_motion, key=lambda each: len(each.phases))
+    def orders(self) -> tuple[tuple[tuple[int, bool], ...], ...]:
+        """The order in which each of several motions has all their phases; see `Cell`."""
+        return tuple(getattr(self.module, "ORDERS", ()))
+
+    def called(self, name: str) -> list[int]:
+        """Return the phases of its cell that have a name."""
+        return [p for p, (phase, _) in enumerate(self.kinds) if phase == name]
 
     @property
     def whole(self) -> "LoadedScene":

@@ -1,28 +1,17 @@
-"""Orders of phases that a scene does not declare, each as a scene of one motion.
+"""Orders of phases: lists of phases of a cell, and the cells that have them.
 
-An order is a list of phases of a scene, each as declared or mirrored, that makes a period or
-half of an antisymmetric one.  Each phase ends by its own event.  A phase that may end in two
-ways is declared twice with different events, or has a mirror image that differs in its event.
+An order is a list of phases, each as declared or mirrored, that makes a period or half of an
+antisymmetric one.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import NamedTuple
 
 from ...nearest import numbered
 from .cell import Cell, Form, Memory, Phase
-from .classes import HIGHEST, classes
-from .dimensionless import Units
-from .loaded import LoadedScene, UnknownScene
+from .loaded import UnknownScene
 from .mirror import is_image, mirror
-from .parameter_error import ParameterError
-
-#: Last word in the name of an order whose other half is the mirror image.
-MIRRORED = "mirrored"
-
-#: How the name of a motion begins whose one phase nothing ends; the name of the phase follows.
-ONLY = "only "
 
 
 class Step(NamedTuple):
@@ -79,134 +68,15 @@ def half_if_mirrored(cell: Cell, order: Order) -> Order:
     return Order(first, True) if mirrored and not order.half_period else order
 
 
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class OrderedScene(LoadedScene):
-    """A scene of one motion with the phases of `base`, another one, in an undeclared order."""
-
-    base: LoadedScene
-    order: Order
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return in_order, (self.base, self.order)
-
-    @property
-    def _identity(self) -> tuple[object, ...]:
-        return *self.base._identity, self.order
-
-    @property
-    def motion(self) -> str:
-        """Its phases, joined by commas; a minus says that one is mirrored.
-
-        ``mirrored`` at the end says that the other half of the period is the mirror image.
-        """
-        words = [step.called(self.base.phases) for step in self.order.steps]
-        return ",".join([*words, MIRRORED] if self.half_period else words)
-
-    @property
-    def fullest(self) -> LoadedScene:
-        """The motion whose phases these are."""
-        return self.base
-
-    @property
-    def whole(self) -> LoadedScene:
-        """The scene with all motions that it declares."""
-        return self.base.whole
-
-    @property
-    def half_period(self) -> bool:
-        """Whether its cell is half a period."""
-        return self.order.half_period
-
-    @property
-    def has_start(self) -> bool:
-        """False: the condition of a start holds for the declared order only."""
-        return False
-
-    @property
-    def phases(self) -> tuple[str, ...]:
-        """The names of the phases of its cell."""
-        return tuple(phase.name for phase in self._generic_cell.phases)
-
-    @property
-    def kinds(self) -> tuple[tuple[str, bool], ...]:
-        """Unique name of each phase, and whether a constraint holds its velocity."""
-        held = (phase.held for phase in self._generic_cell.phases)
-        return tuple(zip(numbered(self.phases), held, strict=True))
-
-    @property
-    def classes(self) -> tuple[int, ...]:
-        """The k of the switch that begins each phase."""
-        return self._generic_cell.classes
-
-    @property
-    def k(self) -> int:
-        """Class of its motion."""
-        return min(self.classes)
-
-    @property
-    def memory(self) -> tuple[tuple[str, int, int, str], ...]:
-        """One memory for each switch that sets one, as in `LoadedScene.memory`."""
-        steps = self.order.steps
-        meanings = [q[3] for q in self.base.memory for step in steps if step.phase == q[1]]
-        return tuple(
-            (q.name, q.phase, q.power, meaning)
-            for q, meaning in zip(self._generic_cell.memory, meanings, strict=True)
-        )
-
-    def remembered(self, values: Sequence[float], p: int) -> tuple[float, ...]:
-        """Return the memories of the declared cell on phase `p`, from those of this cell."""
-        columns = _columns([phase for _, phase, *_ in self.base.memory], self.order, p)
-        return tuple(sign * values[column] for column, sign in columns)
-
-    @cached_property
-    def _generic_cell(self) -> Cell:
-        """Its cell for generic parameters, with the classes at its switches."""
-        numbers = tuple(0.4 + 0.4 * (0.618034 * i % 1) for i in range(len(self.parameters)))
-        cell = in_cell(self.base.cell(numbers), self.order)
-        cell = replace(cell, classes=classes(cell))
-        for p, k in enumerate(cell.classes):
-            if k == HIGHEST:
-                before, after = cell.phases[p - 1].name, cell.phases[p].name
-                raise UnknownScene(
-                    f"phases: got {self.motion}, but nothing changes where {before} ends and "
-                    f"{after} begins"
-                )
-        return cell
-
-    def cell(
-        self, numbers: tuple[float, ...], cycles: int = 1, units: Units | None = None
-    ) -> Cell:
-        """Return its cell for parameters in given units; see `LoadedScene.cell`.
-
-        Raises
-        ------
-        ParameterError
-            If it is half a period, and the scene is not odd for these parameters.
-        """
-        declared = self.base.cell(numbers, 1, units)
-        if self.half_period and not is_odd(declared):
-            what = f"the mirror image of {self.motion} is not a motion"
-            problem = f"phases: {what} for these parameters"
-            raise ParameterError([problem])
-        cell = in_cell(declared, self.order)
-        return replace(cell, classes=self.classes, k=self.k, cycles=cycles)
+def declared_order(cell: Cell) -> Order | None:
+    """Return the order of phases that a cell has; None if it has those of several motions."""
+    steps = tuple(map(Step, range(len(cell.phases))))
+    return None if cell.orders else Order(steps, cell.sign < 0)
 
 
-def declared_as(base: LoadedScene, order: Order) -> LoadedScene | None:
-    """Return the declared motion of a scene whose phases have this order; None without one."""
-    names = [step.called(base.phases) for step in order.steps]
-    every = (q for q in base.whole.each_motion if q.half_period == order.half_period)
-    return next((q for q in every if [*q.phases] == names), None)
-
-
-def in_order(base: LoadedScene, order: Order) -> OrderedScene:
-    """Return a scene of one motion with its phases in another order."""
-    return OrderedScene(base.module, base.folder, base.kept, base=base, order=order)
-
-
-def declared_order(cell: Cell) -> Order:
-    """Return the order of phases that a cell has."""
-    return Order(tuple(map(Step, range(len(cell.phases)))), cell.sign < 0)
+def orders_of_motions(cell: Cell) -> list[Order]:
+    """Return the orders of several motions whose phases a cell has; none for one motion."""
+    return [Order(tuple(map(Step._make, places)), cell.sign < 0) for places in cell.orders]
 
 
 def in_cell(cell: Cell, order: Order) -> Cell:
@@ -215,7 +85,7 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     Each phase of the order that sets a memory has a memory of its own.
     """
     setters = [memory.phase for memory in cell.memory]
-    slots = [(q, tuple(_columns(setters, order, p))) for p, q in enumerate(order.steps)]
+    slots = [(q, tuple(memory_columns(setters, order, p))) for p, q in enumerate(order.steps)]
     memory = [
         _set_in(p, cell.memory[i], _begins_mirrored(cell, order, p))
         for i, p in _settings(setters, order)
@@ -233,6 +103,7 @@ def in_cell(cell: Cell, order: Order) -> Cell:
         cycles=1,
         memory=tuple(replace(q, name=name) for q, name in zip(memory, names, strict=True)),
         classes=(),
+        orders=(),
         start=(),
     )
 
@@ -289,7 +160,7 @@ def _settings(setters: Sequence[int], order: Order) -> list[tuple[int, int]]:
     ]
 
 
-def _columns(setters: Sequence[int], order: Order, p: int) -> list[tuple[int, int]]:
+def memory_columns(setters: Sequence[int], order: Order, p: int) -> list[tuple[int, int]]:
     """Return index among `_settings`, and sign, of each declared memory on phase `p`.
 
     The latest setting holds; before the first, the last one of the cell before.

@@ -10,7 +10,8 @@ from ..bodies.part import parts_of
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Form
-from ..scenes.orders import OrderedScene, Step, pairs
+from ..scenes.ordered import OrderedScene
+from ..scenes.orders import Step, pairs
 from .bodies.state import BodyState, on
 from .machine import Machine
 from .machines import machine_of

@@ -95,21 +95,32 @@ def ending(nodes: Sequence[Node], p: int, surface: int) -> int:
     return next((q for q in turn if nodes[q].equation == nodes[p].equation), NONE)
 
 
-def turns(nodes: Sequence[Node]) -> list[list[int]]:
-    """Return in which turn successors are tried, for each declared phase, then for none.
+def followers(cell: Cell, nodes: Sequence[Node]) -> list[list[int]]:
+    """Return the phases that the scene declares to follow each; see `Cell.followers`."""
+    count = len(cell.phases)
+    return [
+        [q + count * (turned != node.mirrored) for q, turned in cell.followers(node.index)]
+        for node in nodes
+    ]
 
-    Held phases with demands come first: constraints hold while they can.
+
+def turns(nodes: Sequence[Node], declared: Sequence[Sequence[int]]) -> list[list[int]]:
+    """Return in which turn successors are tried, behind each phase, then behind none.
+
+    Held phases with demands come first: constraints hold while they can.  Then come those that
+    are declared to follow.
     """
     phases = range(len(nodes))
     first = [p for p in phases if nodes[p].phase.held and nodes[p].phase.demands]
-    orders = [*([p, *phases] for p in phases), [*phases]]
+    orders = [*([*some, *phases] for some in declared), [*phases]]
     return [list(dict.fromkeys([q for q in order if q in first] + order)) for order in orders]
 
 
-def walls(nodes: Sequence[Node]) -> list[int]:
+def walls(nodes: Sequence[Node], declared: Sequence[Sequence[int]]) -> list[int]:
     """Return, for each rest at a place, the phase whose jump it follows; else `NONE`."""
-    phases = range(len(nodes))
-    behind = [nodes[p].phase.held and nodes[p - 1].jumps for p in phases]
-    return [
-        (p - 1) % len(nodes) if rests else NONE for p, rests in zip(phases, behind, strict=True)
-    ]
+    found = [NONE] * len(nodes)
+    for p, some in enumerate(declared):
+        for q in some:
+            if nodes[q].phase.held and nodes[p].jumps and found[q] == NONE:
+                found[q] = p
+    return found

@@ -17,7 +17,8 @@ import numpy as np
 from ..kernels.start import RoughTimes
 from ..scenes.case import Case
 from ..scenes.cell import Cell
-from ..scenes.orders import Order, OrderedScene, declared_order, half_if_mirrored
+from ..scenes.ordered import OrderedScene, of_all_phases
+from ..scenes.orders import Order, declared_order, half_if_mirrored, orders_of_motions
 from .machine import Machine
 from .machines import machine_of
 from .record import Segment, Simulation
@@ -105,7 +106,7 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
     >>> f"{found.times.angle:.6f}", found.words
     ('0.929644', 'a simulation settles on flight')
     """
-    base = case.of_fullest() if isinstance(case.scene, OrderedScene) else case
+    base = of_all_phases(case) if isinstance(case.scene, OrderedScene) else case
     machine = machine_of(base.cell)
     for settled in _followed_from(base, machine, machine.starts(0.0), phases):
         yield _in_that(case, base.cell, settled)
@@ -215,8 +216,10 @@ def _from_the_first(again: tuple[Segment, ...]) -> tuple[Segment, ...]:
 def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
     """Return the times of a cell if the repeated phases have the declared order, else None."""
     segments = again[: len(cell.phases)]
-    declared = tuple(q.named for q in segments) == declared_order(cell).steps
-    if len(again) != len(segments) * cell.cells or not declared:
+    order = declared_order(cell)
+    if order is None or tuple(q.named for q in segments) != order.steps:
+        return None
+    if len(again) != len(segments) * cell.cells:
         return None
     if cell.forced and abs(sum(q.s for q in segments) - cell.duration) > NEAR:
         return None
@@ -232,10 +235,13 @@ def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     every = "each period" if count == 1 else f"every {count} periods"
     within = f", in {every} of the forcing" if cell.forced else ""
     why = _no_order(cell, again)
-    other = None if why else _in_order(cell, again, count if cell.forced else 1)
-    what = "phases that cannot be solved for" if why else "another sequence of phases"
-    said = f"a simulation settles on {what}: {names}{within}"
-    return Settled(None, f"{said}; {why}" if why else said, other)
+    if why:
+        what = f"phases that cannot be solved for: {names}{within}; {why}"
+        return Settled(None, f"a simulation settles on {what}")
+    other = _in_order(cell, again, count if cell.forced else 1)
+    if other.order not in orders_of_motions(cell):
+        names = f"another sequence of phases: {names}{within}"
+    return Settled(None, f"a simulation settles on {names}", other)
 
 
 def _no_order(cell: Cell, segments: tuple[Segment, ...]) -> str:

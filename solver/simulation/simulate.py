@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from ..scenes.case import Case, check_case
 from ..scenes.cell import Cell
+from ..scenes.ordered import of_all_phases
 from ..scenes.parameter_error import is_number, repeated
 from .machines import machine_of
 from .record import Simulation
@@ -73,7 +74,7 @@ def simulate(
     [ 0.        0.023297 -0.395435]
     """
     check_case(case)
-    case = case.of_fullest()
+    case = of_all_phases(case)
     turn = _number("forcing_phase", forcing_phase, "a finite number of rad")
     if turn and case.scene.frequency is None:
         expected = f"0: nothing forces {case.scene.name}"

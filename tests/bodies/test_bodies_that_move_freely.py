@@ -16,6 +16,7 @@ from nonsmooth.solver import exact as solver_exact
 from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.charts import curves, lines
 from nonsmooth.solver.kernels.compiling import Account
+from nonsmooth.solver.scenes.ordered import of_all_phases
 from nonsmooth.solver.simulation.settle import from_several_states
 
 F, g, k, r, Omega = sp.symbols("F g k r Omega", positive=True)
@@ -163,7 +164,7 @@ def test_a_ball_settles_on_an_orbit_that_is_not_its_own_mirror_image() -> None:
     found = ns.solve(case, order=12, phases="right,right,-right,-right")
     assert found.stable
     assert off(found.exact, [1, 1, -1, -1]) < 1e-13
-    said = next(q.words for q in from_several_states(case.of_fullest()) if q.other)
+    said = next(q.words for q in from_several_states(of_all_phases(case)) if q.other)
     order = said.split("phases: ")[1].split(", in each")[0]
     assert ns.solve(case, order=12, phases=order).exact.stable
     last = [q.duration for q in ns.simulate(case, cycles=400).phases[-6:-2]]

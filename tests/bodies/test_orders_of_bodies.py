@@ -17,7 +17,8 @@ from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import UnknownScene
 from nonsmooth.solver.scenes.mirror import mirror
-from nonsmooth.solver.scenes.orders import MIRRORED, Order, Step, image, in_order
+from nonsmooth.solver.scenes.ordered import MIRRORED, in_order
+from nonsmooth.solver.scenes.orders import Order, Step, image
 
 SHIPPED = {q.name: q for q in map(registry.load, registry.names()) if q.has_body}
 

@@ -16,7 +16,8 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import UnknownScene
-from nonsmooth.solver.scenes.orders import Order, Step, in_cell, in_order
+from nonsmooth.solver.scenes.ordered import in_order
+from nonsmooth.solver.scenes.orders import Order, Step, in_cell
 from nonsmooth.solver.solve import solve_case, with_order
 
 MOTIONS = [motion for name in NAMES for motion in registry.load(name).each_motion]

@@ -9,6 +9,7 @@ from one_mass_bodies import as_body, free_phase, state_of
 from stops import between_two, resting
 
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.scenes.ordered import of_all_phases
 from nonsmooth.solver.simulation.bodies.machine import BodyMachine
 from nonsmooth.solver.simulation.machine import Machine
 from nonsmooth.solver.simulation.simulate import cycle
@@ -69,7 +70,7 @@ def test_a_rest_that_holds_all_of_a_body(gap: float, frequency: float) -> None:
 def test_random_parameters(scene, seed) -> None:
     """Among them gaps down to 1e-12 of the default, and impacts that accumulate."""
     rng = np.random.default_rng([seed, tuple(STARTS).index(scene)])
-    case = random_case(scene, rng).of_fullest()
+    case = of_all_phases(random_case(scene, rng))
     x, v = np.array(STARTS[scene]) + rng.uniform(-0.1, 0.1, 2)
     if scene == "backlash":
         x -= case.values["gap"] / case.units.length
@@ -96,7 +97,7 @@ def test_impacts_that_end_in_a_rest(made) -> None:
 def test_what_was_held_leaves_once_and_stops_at_the_last_digit(mu, angle) -> None:
     """With one coefficient of friction nothing but the force's rate says where it leaves to."""
     values = {"damping": 0.3, "stiffness": 2.0, "frequency": 0.6, "mu_s": mu, "mu_k": mu}
-    case = registry.load("dry-friction")(**values).of_fullest()
+    case = of_all_phases(registry.load("dry-friction")(**values))
     own, ended, found, other_ended = followed(case, State(0.0, 0.0, angle), 6)
     assert ended == other_ended == ""
     check(own, found, 1e-14)

@@ -11,6 +11,7 @@ from test_chatter import resting
 
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.scenes.ordered import of_all_phases
 from nonsmooth.solver.simulation.machine import with_arrays
 from nonsmooth.solver.simulation.machines import machine_of
 from nonsmooth.solver.simulation.simulate import cycle
@@ -32,7 +33,7 @@ FEW = {"modes": 3}
 def drawn(name, count):
     """Return the machine of a scene, and random states that a phase of it takes."""
     scene = registry.load(name) if name in registry.names() else None
-    case = scene(**FEW if "beam" in name else {}).of_fullest() if scene else resting(0.5)
+    case = of_all_phases(scene(**FEW if "beam" in name else {})) if scene else resting(0.5)
     machine, random = machine_of(case.cell), np.random.default_rng(1)
     found, turn = [machine.at_rest(0.0)], float(case.cell.forced)
     while len(found) < count:

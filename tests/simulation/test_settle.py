@@ -19,6 +19,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.exact_orbit import from_times
+from nonsmooth.solver.scenes.ordered import of_all_phases
 from nonsmooth.solver.scenes.orders import Order, Step
 from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.lasting import lasts
@@ -189,7 +190,7 @@ def test_the_work_is_bounded_and_what_was_done_is_said() -> None:
 def test_newton_starts_where_a_motion_almost_repeats() -> None:
     """In resonance the absorber slips without a stop, and transients last beyond the budget."""
     case = ns.scene("absorber-friction")(force=0.1, frequency=1)
-    found = [*settle.from_several_states(case.of_fullest(), settle.FEW)]
+    found = [*settle.from_several_states(of_all_phases(case), settle.FEW)]
     assert all(each.words.endswith("does not settle") for each in found)
     assert not any(each.conclusive for each in found)
     assert any(each.other for each in found)

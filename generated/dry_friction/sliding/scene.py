@@ -29,7 +29,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 MATHEMATICS = "e7d0a2e72aed33017469aa3655b8d9278ff1bb7534d2392ca279e7ca25da59e2"  # of what fixes its motion
-BODY = "9011bd8cd3c30b9707e47ee58e70a1b111107f6dfd9c8676d5d4467ba06e5ee6"  # of the text below
+BODY = "0b4f43131a6e909908c5d3e7b558cb152bc638c11a0f1d92571ba775ff63d349"  # of the text below
 
 NAME = 'dry-friction'
 TITLE = 'a driven mass with dry friction'
@@ -68,10 +68,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('slide', False),)
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((1, "x''"),)
-CLASSES_OF_DEFAULTS = (1,)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -79,6 +75,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the mass slides backward',),)
 SWITCH_DEMANDS = (('the load exceeds the static limit',),)
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((1, "x''"),)
+CLASSES_OF_DEFAULTS = (1,)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)

@@ -29,7 +29,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 MATHEMATICS = "10754724b0139dd2c451d5192dfcb497f5123921a83704774a9c105895e6d301"  # of what fixes its motion
-BODY = "8cfd79713f3a9289378de8ce994416eb8b2b46c522bd1e3e7ff94d88a4e33083"  # of the text below
+BODY = "7f17cc630667455864b47ba5c4b5931b1869e59acc8297a08287598b026e0f2b"  # of the text below
 
 NAME = 'dry-friction'
 TITLE = 'a driven mass with dry friction'
@@ -68,10 +68,6 @@ POWERS = (
 #: Name of each phase, and whether a constraint holds its velocity.
 PHASES = (('slide', False), ('stop', True))
 
-#: What begins each phase: class, and the first derivative that jumps.
-SWITCHES = ((1, "x''"), (1, "x''"))
-CLASSES_OF_DEFAULTS = (2, 1)  # of the default parameters
-
 #: Constants that switches set: name, the phase whose beginning does, the power of
 #: 1/time in its unit, what it is.
 MEMORY = ()
@@ -79,6 +75,10 @@ MEMORY = ()
 #: What must not be negative: in each phase, and at the switch that ends it.
 DEMANDS = (('the mass slides backward',), ('the load stays within the static limit', 'the load stays within the static limit'))
 SWITCH_DEMANDS = ((), ())
+
+#: What begins each phase: class, and the first derivative that jumps.
+SWITCHES = ((1, "x''"), (1, "x''"))
+CLASSES_OF_DEFAULTS = (2, 1)  # of the default parameters
 
 #: The expressions in the parameters that must not be negative, in words.
 REQUIRES = ('mu_k is at most mu_s',)

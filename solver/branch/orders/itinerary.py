@@ -7,16 +7,8 @@ from ...scenes.case import Case
 from ...scenes.cell import Cell
 from ...scenes.dimensionless import Units
 from ...scenes.loaded import LoadedScene
-from ...scenes.orders import (
-    ONLY,
-    Order,
-    OrderedScene,
-    declared_as,
-    image,
-    in_cell,
-    in_order,
-    is_odd,
-)
+from ...scenes.ordered import ONLY, OrderedScene, declared_as, in_order
+from ...scenes.orders import Order, image, in_cell, is_odd
 from ...simulation.machine import Machine
 from ...simulation.machines import machine_of
 

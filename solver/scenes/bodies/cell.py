@@ -142,7 +142,7 @@ def _check_jumps(cell: BodyCell) -> None:
     The impulse is that of all modes: of the velocity of a few it turns a part.
     """
     for p, phase in enumerate(cell.phases):
-        if cell.phases[(p + 1) % len(cell.phases)].held:
+        if any(cell.phases[q].held for q, _ in cell.followers(p)):
             continue
         factors = 1 + np.diag(cell.body.kept_mobility @ impulses(cell, p)[0])
         for (rho, _), goes_on in zip(phase.jumps, factors, strict=True):

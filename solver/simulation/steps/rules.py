@@ -7,7 +7,7 @@ import numpy as np
 
 from ...arrays import Integers, Matrix
 from ...scenes.cell import Cell, Form
-from ..nodes import Node, ending, turns, walls
+from ..nodes import Node, ending, followers, turns, walls
 from .column import NONE
 
 
@@ -32,9 +32,12 @@ class Rules(NamedTuple):
         The surface on which each form vanishes; `NONE` for a demand at a switch.
     endings : ndarray of int, shape (P, S)
         For each phase and surface: the phase of the same equation whose event is that surface.
+    declared : ndarray of int, shape (P + 1, D)
+        Row p: the phases declared to follow phase p, behind them `NONE`; last row: none.  The
+        demands at the switch are those of the first.
     turns : ndarray of int, shape (P + 1, P)
-        Row p: the order in which successors are tried where phase p is the declared one; last
-        row: where none is.  Constraints come first: they hold while they can.
+        Row p: the order in which successors are tried where the event of phase p has ended it;
+        last row: where another has.  Constraints come first: they hold while they can.
     setting, memory : ndarray, shape (M,), (M, 4)
         As in `Arrays`.  For a body the forms are longer.
     """
@@ -45,6 +48,7 @@ class Rules(NamedTuple):
     forms: Matrix
     surfaces: Integers
     endings: Integers
+    declared: Integers
     turns: Integers
     setting: Integers
     memory: Matrix
@@ -53,7 +57,8 @@ class Rules(NamedTuple):
 def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
     """Return the rules of a cell from the phases that its motion can be in."""
     phases, count = range(len(nodes)), len(cell.memory)
-    numbers, kinds, behind = [], [], walls(nodes)
+    declared = followers(cell, nodes)
+    numbers, kinds, behind = [], [], walls(nodes, declared)
     forms: list[Form] = []
     surfaces: list[int] = []
     for p, node in enumerate(nodes):
@@ -68,6 +73,7 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         place = behind[p], node.index, -1 if node.mirrored else 1
         rows = row, at_switch, len(forms)
         kinds.append([phase.held, node.event not in node.demands, *place, *rows])
+    most = max(map(len, declared))
     width = max(4, *(len(form) - count for form in forms))
     return Rules(
         cell.omega,
@@ -76,7 +82,8 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         np.array([[*form, *[0.0] * count][: width + count] for form in forms], dtype=float),
         np.array(surfaces, dtype=np.int64),
         np.array([[ending(nodes, p, q) for q in range(max(surfaces) + 1)] for p in phases]),
-        np.array(turns(nodes)),
+        np.array([[*some, *[NONE] * most][:most] for some in (*declared, ())]),
+        np.array(turns(nodes, declared)),
         np.array([each.phase for each in cell.memory], dtype=np.int64),
         np.array([each.value[:width] for each in cell.memory], dtype=float).reshape(-1, width),
     )

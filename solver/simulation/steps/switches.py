@@ -37,14 +37,14 @@ def first_phase(rules: Rules, state: AnyState) -> int:
 def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyState) -> int:
     """Return the phase that follows phase p, which ended on a surface; `NONE` if none does.
 
-    `state` is the state behind the switch.  The phase that the scene declares to follow is
-    skipped if the state `before` the switch violates a demand of the event.
+    `state` is the state behind the switch.  The first phase that the scene declares to follow
+    is skipped if the state `before` the switch violates a demand of the event.
     """
-    event = rules.surfaces[rules.kinds[p, column.ROW]]
-    declared = (p + 1) % len(rules.kinds) if surface == event else NONE
-    refused = declared if declared != NONE and not may_switch(rules, p, before) else NONE
-    for q in rules.turns[declared]:
-        if q == refused or (q != declared and sets(rules, q)):
+    ended = NONE if surface == NONE else rules.endings[p, surface]
+    declared = rules.declared[ended]
+    refused = declared[0] if ended != NONE and not may_switch(rules, ended, before) else NONE
+    for q in rules.turns[ended]:
+        if q == refused or (sets(rules, q) and not (declared == q).any()):
             continue
         if admits(rules, q, entered(rules, q, state)):
             return int(q)
@@ -53,7 +53,7 @@ def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyS
 
 def rest_behind(rules: Rules, p: int, state: AnyState) -> int:
     """Return the rest at a place that admits a state where jumps died away; `NONE` if none."""
-    for q in rules.turns[(p + 1) % len(rules.kinds)]:
+    for q in rules.turns[p]:
         if rules.kinds[q, column.WALL] != NONE and admits(rules, q, begun(rules, q, state)):
             return int(q)
     return NONE

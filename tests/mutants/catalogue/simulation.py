@@ -59,8 +59,8 @@ MUTANTS = (
     Mutant(
         "a switch that its event forbids is taken",
         "solver/simulation/steps/switches.py",
-        "if q == refused or (q != declared and sets(rules, q)):",
-        "if q != declared and sets(rules, q):",
+        "if q == refused or (sets(rules, q) and not (declared == q).any()):",
+        "if sets(rules, q) and not (declared == q).any():",
         (f"{SETTLE}::test_a_switch_that_its_event_forbids_is_not_taken",),
     ),
     Mutant(
