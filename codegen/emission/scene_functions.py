@@ -11,7 +11,6 @@ from ..scene.bodies.body import Body, force
 from ..scene.bodies.law import form, law_rows, place
 from ..scene.data import SceneData
 from ..scene.linear import without_modulus
-from ..scene.parameters import at_extremes
 from ..scene.scales import scales
 
 
@@ -77,7 +76,11 @@ def whole(scene: Scene) -> Iterator[Function]:
 def extremes(scene: Scene) -> Function:
     """Return the function of the parameters at each extreme."""
     summary = "Return all parameters at each of the extremes."
-    return _rows("extremes", summary, at_extremes(scene))
+    values = (
+        tuple(sp.sympify(each.get(symbol, symbol)) for symbol in scene.symbols)
+        for each in scene.extremes.values()
+    )
+    return _rows("extremes", summary, values)
 
 
 def of_phases(scene: SceneData) -> Iterator[Function]:

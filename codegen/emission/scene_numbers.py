@@ -12,9 +12,8 @@ from ..scene import Parameter, Scene, switches
 from ..scene.bodies.body import Body
 from ..scene.data import SceneData
 from ..scene.orders import all_phases
-from ..scene.parameters import power_of_time
 from ..scene.smoothness import class_of, classes_of
-from ..scene.units import dimension_of
+from ..scene.units import dimension_of, power_of_time
 from .scene_functions import Function, extremes, guess, of_phases, start, whole, words_of
 
 HEADER = '''"""{name}: {title} (C{k}), in numbers.

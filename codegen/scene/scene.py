@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from .check import check
+from .checks.whole import check
 from .data import SceneData
 
 

@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from .data import STATE_UNITS, Memory, SceneData
 from .error import INSTEAD, SceneError, looks_like_state
 
 Dimension = tuple[Fraction, Fraction, Fraction]
@@ -138,3 +139,14 @@ def _assumed(symbol: sp.Symbol) -> str:
     """Return the assumption that distinguishes a symbol from another of the same name."""
     kinds = ("positive", "nonnegative", "real")
     return f"{next((kind for kind in kinds if symbol.assumptions0.get(kind)), 'no')}=True"
+
+
+def units_of(scene: SceneData) -> dict[sp.Symbol, Dimension]:
+    """Return the units of the state of the motion and of the parameters."""
+    units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
+    return units | {q.symbol: dimension_of(q.unit) for q in scene.parameters}
+
+
+def power_of_time(scene: SceneData, memory: Memory) -> int:
+    """Return p in the unit of a memory, length over time to the power p."""
+    return -int(balance(sp.expand(memory.value), units_of(scene))[2])

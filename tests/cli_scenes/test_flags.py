@@ -7,7 +7,7 @@ from one_mass import NAMES
 import nonsmooth as ns
 from nonsmooth.cli import cli
 from nonsmooth.cli.about import PREFIX, CommandAbout
-from nonsmooth.codegen.scene.names import TAKEN
+from nonsmooth.codegen.scene.checks.names import TAKEN
 from nonsmooth.nearest import nearest
 
 #: Commands of bodies, too.

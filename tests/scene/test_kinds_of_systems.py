@@ -10,8 +10,8 @@ from small_scene import FLIGHT, F, Omega, a, c, forcing, g, k, m, r, refused, sc
 
 from nonsmooth.cli import cli
 from nonsmooth.codegen.scene import t
+from nonsmooth.codegen.scene.checks.names import COMMANDS
 from nonsmooth.codegen.scene.error import INSTEAD
-from nonsmooth.codegen.scene.names import COMMANDS
 
 MOTION = FLIGHT.equation
 FREE = m * a + c * v + k * x

@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ..bodies.body import UNITS, Body, Entries
+from ..bodies.law import body_of, form, law_rows, place
 from ..data import Phase, SceneData, forcing
 from ..error import SceneError, named
 from ..linear import without_modulus
-from ..parameters import check_known
-from ..phases import Units, check_velocity, checked_fields
 from ..units import Dimension, balance, dimension_of, spelled
-from .body import UNITS, Body, Entries
-from .law import body_of, form, law_rows, place
+from .parameters import check_known
+from .phases import Units, check_velocity, checked_fields
 
 #: Largest difference between symmetric entries, relative to the largest entry.
 ROUNDING = 1e-12

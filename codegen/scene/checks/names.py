@@ -4,7 +4,7 @@ import keyword
 import re
 from collections.abc import Iterable
 
-from .error import SceneError
+from ..error import SceneError
 
 #: Names of flags of the command line.
 TAKEN = frozenset(

@@ -4,11 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from .bodies.law import laws
-from .data import Phase, a, forcing, v, x
-from .error import SceneError, check_kind, named
-from .linear import fixed, linear_phase, state_row, without_modulus
-from .units import Dimension, balance, spelled
+from ..bodies.law import laws
+from ..data import Phase, a, forcing, v, x
+from ..error import SceneError, check_kind, named
+from ..linear import fixed, linear_phase, state_row, without_modulus
+from ..units import Dimension, balance, spelled
 
 Units = Mapping[sp.Symbol, Dimension]
 

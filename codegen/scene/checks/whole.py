@@ -4,17 +4,17 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
-from .bodies.check import check_body, check_contact_phase, units_of_contacts
-from .bodies.law import laws
-from .data import STATE_UNITS, SceneData, forcing, v, x
+from ..bodies.law import laws
+from ..data import STATE_UNITS, SceneData, forcing, v, x
+from ..error import SceneError, named
+from ..scales import scales
+from ..smoothness import switches
+from ..units import balance, dimension_of, spelled, units_of
+from .bodies import check_body, check_contact_phase, units_of_contacts
 from .entries import check_entries
-from .error import SceneError, named
 from .names import COMMANDS, check_called, check_name
-from .parameters import check_extremes, check_known, check_memory, check_parameters, units_of
+from .parameters import check_extremes, check_known, check_memory, check_parameters
 from .phases import Units, check_neighbours, check_phase, check_same_units, fields
-from .scales import scales
-from .smoothness import switches
-from .units import balance, dimension_of, spelled
 
 #: The scales that a scene may give, and their SI units.
 SCALES = {"mass": "kg", "time": "s", "length": "m"}

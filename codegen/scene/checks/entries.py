@@ -7,9 +7,9 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from .bodies.law import laws
-from .data import Event, Memory, Parameter, Phase, SceneData
-from .error import INSTEAD, SceneError, named
+from ..bodies.law import laws
+from ..data import Event, Memory, Parameter, Phase, SceneData
+from ..error import INSTEAD, SceneError, named
 
 #: Numbers that are not allowed anywhere in an expression.
 _NO_NUMBERS = (sp.I, sp.nan, sp.oo, -sp.oo, sp.zoo)

@@ -1,15 +1,15 @@
 """Checks of the parameters of a scene, its memories, and its extremes."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
-from .data import STATE_UNITS, Memory, Parameter, SceneData, forcing, v, x
-from .error import SceneError, named
-from .linear import state_row
+from ..data import STATE_UNITS, Memory, Parameter, SceneData, forcing, v, x
+from ..error import SceneError, named
+from ..linear import state_row
+from ..units import Dimension, balance, dimension_of, spelled, units_of
 from .names import TAKEN, check_meaning, check_name
-from .units import Dimension, balance, dimension_of, spelled
 
 
 def check_parameters(parameters: Sequence[Parameter], phases: Sequence[str]) -> None:
@@ -83,11 +83,6 @@ def check_memory(
     return memory_units
 
 
-def power_of_time(scene: SceneData, memory: Memory) -> int:
-    """Return p in the unit of a memory, length over time to the power p."""
-    return -int(balance(sp.expand(memory.value), units_of(scene))[2])
-
-
 def _check_remembered(
     field: str, memory: Memory, scene: SceneData, taken: set[sp.Symbol]
 ) -> None:
@@ -151,12 +146,6 @@ def check_extremes(scene: SceneData) -> None:
                     )
 
 
-def units_of(scene: SceneData) -> dict[sp.Symbol, Dimension]:
-    """Return the units of the state of the motion and of the parameters."""
-    units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
-    return units | {q.symbol: dimension_of(q.unit) for q in scene.parameters}
-
-
 def check_known(symbols: set[sp.Symbol], known: Iterable[sp.Symbol]) -> None:
     """Check that symbols are parameters; a `SceneError` names one that is not."""
     unknown = sorted(symbols - set(known), key=str)
@@ -169,9 +158,3 @@ def _expression(value: object) -> sp.Expr:
         return sp.sympify(value, strict=True)
     except sp.SympifyError:
         raise SceneError(f"got {value!r}, expected a number or an expression") from None
-
-
-def at_extremes(scene: SceneData) -> Iterator[tuple[sp.Expr, ...]]:
-    """Yield all parameters in order at each extreme; unchanged ones are their symbols."""
-    for values in scene.extremes.values():
-        yield tuple(sp.sympify(values.get(symbol, symbol)) for symbol in scene.symbols)
