@@ -137,14 +137,14 @@ def basins(
     whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
     xs, vs = map(_axis, ("x", "v"), (x, v), _units(of_all_phases(case))[:2])
     whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
-    case, mapping = of_all_phases(case), map if executor is None else executor.map
-    rows = mapping(_tails, repeat(case), repeat(xs), vs, repeat(cycles))
+    every, mapping = of_all_phases(case), map if executor is None else executor.map
+    rows = mapping(_tails, repeat(every), repeat(xs), vs, repeat(cycles))
     tails = []
     for value, row in zip(vs, rows, strict=True):
         tails.append(row)
         seen(float(value))
-    decay = slowest_decay(case.cell) * cycle(case.cell)
-    speed = case.units.of_motion(1) / case.units.length * case.cell.omega
+    decay = slowest_decay(every.cell) * cycle(every.cell)
+    speed = every.units.of_motion(1) / every.units.length * every.cell.omega
     attractors, index = _classified(np.array(tails), decay, speed)
     return Basins(case, xs, vs, attractors, index)
 

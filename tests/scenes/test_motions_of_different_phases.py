@@ -116,6 +116,16 @@ def test_a_branch_goes_through_orders_of_phases_of_both_motions() -> None:
     assert two[-1].multipliers == pytest.approx(one[-1].multipliers, abs=1e-12)
 
 
+def test_basins_of_orbits_of_phases_of_both_motions() -> None:
+    two, one = (
+        ns.basins(q["springs"](frequency=1.7), [-1, 0, 1], [-1, 0, 1]) for q in (TWO, ONE)
+    )
+    assert two.case.scene == TWO["springs"]  # whose parameters a caption shows
+    assert len(two.attractors) == 2
+    assert two.index.tolist() == one.index.tolist()
+    assert str(two) == str(one)
+
+
 def test_phases_of_any_motion_can_be_asked_for() -> None:
     case = TWO["springs"](frequency=0.8)
     every = all_phases(case.scene)
