@@ -169,6 +169,16 @@ class LoadedScene:
         return tuple(k for k, _ in self.module.SWITCHES)
 
     @property
+    def class_at_start(self) -> dict[int, int]:
+        """The k of the switch that begins each phase, by the phase's index in the module."""
+        return dict(enumerate(self.classes))
+
+    @property
+    def default_classes(self) -> dict[int, int]:
+        """The same for the default parameters."""
+        return dict(enumerate(self.module.CLASSES_OF_DEFAULTS))
+
+    @property
     def memory(self) -> tuple[tuple[str, int, int, str], ...]:
         """Name, phase that sets it, power of 1/time in its unit, and meaning of each memory."""
         return tuple(self.module.MEMORY)

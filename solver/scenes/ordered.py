@@ -141,6 +141,19 @@ class OrderedScene(LoadedScene):
         return self._generic_cell.classes
 
     @property
+    def class_at_start(self) -> dict[int, int]:
+        """As in `LoadedScene`; of a phase that occurs again, the least."""
+        least: dict[int, int] = {}
+        for step, k in zip(self.order.steps, self.classes, strict=True):
+            least[step.phase] = min(k, least.get(step.phase, k))
+        return least
+
+    @property
+    def default_classes(self) -> dict[int, int]:
+        """None: they are those of another order."""
+        return {}
+
+    @property
     def k(self) -> int:
         """Class of its motion."""
         return min(self.classes)

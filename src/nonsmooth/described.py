@@ -88,12 +88,13 @@ def _body(scene: "LoadedScene") -> dict[str, Any]:
 
 
 def _phases(scene: "LoadedScene") -> list[dict[str, Any]]:
-    """Return the phases of a scene of one motion."""
-    return [_phase(scene, p) for p in range(len(scene.phases))]
+    """Return the phases of a scene of one motion; each once, where an order repeats them."""
+    return [_phase(scene, p) for p in scene.class_at_start]
 
 
 def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
-    module = scene.module
+    """Return phase `p` of the module of a scene."""
+    module, at_start = scene.module, scene.class_at_start[p]
     frequency = next((q.symbol for q in scene.parameters if q.name == scene.frequency), "Omega")
 
     def named(text: str) -> str:
@@ -105,8 +106,8 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
             for what, form in zip(words, forms, strict=True)
         ]
 
-    name, held = scene.kinds[p]
-    words = [word for word, *_ in scene.memory]
+    name, held = module.PHASES[p]
+    words = [word for word, *_ in module.MEMORY]
     variables = state_of(module.CONTACTS) if scene.has_body else STATE
     state = (*variables, *words)
     if scene.has_body:
@@ -116,7 +117,6 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
         m, c, k, f, g, *memory = rows(module, "coefficients")[p]
         right = linear((f, g, *memory), (*RIGHT, *words))
         equation = f"{linear((m, c, k), LEFT)} = {right}"
-    k_of_switch, jumps = module.SWITCHES[p]
     return {
         "name": name,
         "equation": named(equation),
@@ -130,13 +130,13 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
         "sets": [
             {"memory": name, "what": what, "expression": named(linear(form, variables))}
             for (name, phase, _, what), form in zip(
-                scene.memory, rows(module, "memory"), strict=True
+                module.MEMORY, rows(module, "memory"), strict=True
             )
             if phase == p
         ],
         "begins": {
-            "class": f"C{k_of_switch}", "jumps": jumps,
-            "class_of_defaults": f"C{module.CLASSES_OF_DEFAULTS[p]}",
+            "class": f"C{at_start}", "jumps": "x" + "'" * (at_start + 1),
+            "class_of_defaults": f"C{scene.default_classes.get(p, at_start)}",
         },
     }  # fmt: skip
 

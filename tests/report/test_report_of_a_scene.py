@@ -193,6 +193,23 @@ def test_the_command_writes_a_folder(run, tmp_path: Path, monkeypatch) -> None:
     assert 'id="sketch-' in text
 
 
+def test_a_page_on_an_order_that_is_not_declared(run, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr(collected, "POWER_ORDERS", (4,))
+    monkeypatch.setattr(collected, "FACTOR_ORDERS", (12, 16))
+    monkeypatch.setattr(pictures, "SUFFIXES", (".svg",))
+    target = tmp_path / "page"
+    assert (
+        run("report", "dry-friction", "--frequency", 0.12, "--damping", 0.05, "-o", target)[0]
+        == 0
+    )
+    text = (target / "index.html").read_text("utf-8")
+    order = "slide,stop,-slide,stop,mirrored"
+    assert f"The motion is <code>{order}</code>." in text
+    assert re.findall("<h4>(.*?)</h4>", text) == ["slide", "stop"]
+    assert text.count("It begins at a switch of class C1: x&#39;&#39; is the first") == 2
+    assert "slide_m" in text  # the equations are those of this order
+
+
 def test_a_page_on_a_structure(run, tmp_path: Path, monkeypatch) -> None:
     """Of impulses alone each order is exact; of many multipliers the largest are told."""
     monkeypatch.setattr(collected, "POWER_ORDERS", (8, 16))

@@ -14,6 +14,7 @@ from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.kernels.registry import mathematics, methods
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about
+from nonsmooth.solver.scenes.ordered import OrderedScene
 from nonsmooth.solver.stability.in_words import count_shown, in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 
@@ -48,6 +49,7 @@ def page(results: Collected, equations: str, pictures: Mapping[str, str]) -> str
     return filled(
         "scenes/scene.html.jinja",
         scene=document(scene),
+        order=scene.motion,
         is_body=scene.has_body,
         values=case.values,
         description=case.description,
@@ -149,7 +151,8 @@ def build(
         Called with the step just done in words.
     """
     results = collect(case, exact, done)
-    equations = folded(fragment_of(derived.sections(source, (), None)))
+    order = case.scene.motion if isinstance(case.scene, OrderedScene) else None
+    equations = folded(fragment_of(derived.sections(source, phases=order)))
     done("equations")
     pictures = {name: partial(figure, draw, results) for name, draw in figures_of(case).items()}
     write_report(folder, pictures, partial(page, results, equations), done)
