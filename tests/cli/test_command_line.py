@@ -93,6 +93,18 @@ def test_pictures_are_written_and_reproducible(
     assert contents[0].startswith(start)
 
 
+@pytest.mark.parametrize("how", [(), ("--json",)])
+def test_a_file_is_written_also_where_the_reader_of_stdout_has_left(
+    how, interruptible, tmp_path: Path
+) -> None:
+    target = tmp_path / "orbit.json"
+    with interruptible("solve", "impact", *how, "-o", target) as program:
+        program.stdout.close()
+        assert program.stderr.read() == f"wrote {target}\n"
+    assert program.returncode == 0
+    assert target.is_file()
+
+
 def test_roots_without_an_orbit_exit_with_1(run) -> None:
     status, out, _ = run("roots", "--order", 4, "--normal-force", 100)
     assert status == 1

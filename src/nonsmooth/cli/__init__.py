@@ -23,6 +23,7 @@ from .commands.generate import generate
 from .commands.listing import modes, scenes
 from .commands.version import show_version
 from .named import SCENES, STRUCTURES, NamedCommand
+from .output import discard_stdout
 from .problems import Problem, print_warnings, say
 
 EXAMPLES = """\b
@@ -163,8 +164,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except (click.Abort, KeyboardInterrupt):
         _fail("interrupted", 130)
     except (_ReaderLeft, BrokenPipeError):
-        with contextlib.suppress(OSError):
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        discard_stdout()
         sys.exit(0)
     except (MissingExtra, OSError) as error:
         _fail(str(error), 2)

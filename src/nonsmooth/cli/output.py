@@ -6,9 +6,10 @@ but files that are named, and folders that we made.
 
 import os
 import shutil
+import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -87,6 +88,12 @@ def telling(path: Path) -> Iterator[None]:
     click.echo(f"wrote {path}", err=True)
 
 
+def discard_stdout() -> None:
+    """Let nothing more be printed on stdout: its reader has left."""
+    with suppress(OSError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 def write_whole(path: Path, write: Callable[[Path], object]) -> None:
     """Let `write` make a temporary file beside `path`, then put it in its place.
 
@@ -126,13 +133,21 @@ class Destination:
     file: Path | None
 
     def show(self, text: str, pieces: "Iterable[Piece]") -> None:
-        """Print the document of a result or, not for ``--json``, its tables and texts."""
-        if self.json:
-            click.echo(text, nl=False)
-        else:
-            from .columns import print_pieces
+        """Print the document of a result or, not for ``--json``, its tables and texts.
 
-            print_pieces(pieces)
+        If the reader of stdout has left, the file is written all the same.
+        """
+        try:
+            if self.json:
+                click.echo(text, nl=False)
+            else:
+                from .columns import print_pieces
+
+                print_pieces(pieces)
+        except BrokenPipeError:
+            if self.file is None:
+                raise
+            discard_stdout()
 
     def write(
         self, text: str, figure: "Callable[[], Figure]", data: "Savable" = None,
