@@ -192,18 +192,22 @@ def test_a_file_that_ends_early(suffix: str, tmp_path: Path) -> None:
             ns.load(path)
 
 
-def test_an_orbit_of_the_first_schema_is_judged_by_its_residual(tmp_path: Path) -> None:
+@pytest.mark.parametrize("kind", ["orbit", "body-memory"])
+def test_an_orbit_of_the_first_schema_is_judged_by_its_residual(
+    kind: str, tmp_path: Path
+) -> None:
     """Its hash is that of kernels that are not there any more."""
-    path = saved("orbit", tmp_path, ".json")
+    path = saved(kind, tmp_path, ".json")
     document = json.loads(path.read_text("utf-8"))
     old = {"schema": 1, "mathematics": "of before"}
     path.write_text(sealed(document | old))
-    assert ns.load(path) == thing("orbit")
-    outcome = dict(document["outcome"])
-    outcome["unknowns"] = [1.001 * value for value in outcome["unknowns"]]
-    path.write_text(sealed(document | old | {"outcome": outcome}))
-    with pytest.raises(ns.FileError, match="does not satisfy its equations"):
-        ns.load(path)
+    assert ns.load(path) == thing(kind)
+    outcome, found = dict(document["outcome"]), document["outcome"]["unknowns"]
+    for changed in ([1.001 * q for q in found], [1.001 * found[0], *found[1:]]):
+        outcome["unknowns"] = changed
+        path.write_text(sealed(document | old | {"outcome": outcome}))
+        with pytest.raises(ns.FileError, match="does not satisfy its equations"):
+            ns.load(path)
 
 
 @pytest.mark.parametrize("suffix", FORMS)
