@@ -36,6 +36,8 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "sweep": lambda: ns.sweep(ns.scene("impact")(), ["hb", "ck"], [3, 5]),
     "sweep-of-nothing": lambda: ns.sweep(ns.scene("impact")(gap=50.0), ["hb"], [3]),
     "family": lambda: ns.family(ns.scene("impact")(), "gap", [0.1, 0.2, 50.0], order=6),
+    "belt-scene": lambda: ns.solve(ns.scene("stick-slip")(), "c1", 9),
+    "belt-scene-sweep": lambda: ns.sweep(ns.scene("stick-slip")(), ["hb", "c1"], [4, 5]),
     "belt-hb": lambda: ns.solve(ODD, "hb", 9),
     "belt-hb-c1": lambda: ns.solve(ODD, "hb-c1", 9),
     "belt-c1": lambda: ns.solve(ODD, "c1", 9),

@@ -63,7 +63,8 @@ def result_in(path: Path, document: Mapping[str, Any], scene: object = None) -> 
     if "rows" in document:
         if not {"functions", "rates"} & document.keys():  # rows of ``digits``
             raise other_kind(path)
-        return _sweep(path, document, _case(path, document, scene))
+        found = [row for row in document["rows"] if row.get("status") == "ok"]
+        return _sweep(path, document, _case(path, document, scene, found))
     entries = document.get("orbits", [document])
     if not all("converged" in entry for entry in entries):
         raise other_kind(path)
@@ -73,7 +74,14 @@ def result_in(path: Path, document: Mapping[str, Any], scene: object = None) -> 
     return orbits if "orbits" in document else orbits[0]
 
 
-def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
+def _case(
+    path: Path, document: Mapping[str, Any], scene: object,
+    orbits: Iterable[Mapping[str, Any]] = (),
+) -> Case:  # fmt: skip
+    """Return the case of a document: of the paper's scene a `StickSlip`.
+
+    But if the entries of its orbits have not what those of a `StickSlip` have, it was none.
+    """
     name = document["scene"]
     try:
         loaded = find(name if scene is None else scene)
@@ -89,7 +97,9 @@ def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
     values = document["parameters"]
     missing = [q.name for q in loaded.parameters if q.name not in values]
     checks.check(not missing, f"parameters without {', '.join(missing)}")
-    return as_in_paper(Case(loaded, values, document.get("cycles", 1)))
+    case = Case(loaded, values, document.get("cycles", 1))
+    is_bare = any(name not in entry for entry in orbits for name in StickSlip.own_numbers)
+    return case if is_bare else as_in_paper(case)
 
 
 def _check_mathematics(
@@ -103,7 +113,7 @@ def _check_mathematics(
 
 
 def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
-    case = _case(path, document, scene)
+    case = _case(path, document, scene, [document])
     method = generic_method(case.scene, document["method"])
     functions, order = document.get("functions"), document["order"]
     methods = [entry["method"] for entry in document.get("orbits", [document])]
