@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from .part import angles_of, kept_by_times, later, parts_of, phase_map, rates, turned, wave
+from .part import angles_of, kept_by_times, later, parts_of, phase_map, rates, wave
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
@@ -69,6 +69,8 @@ def _closed(closed: Matrix, offset: Matrix) -> Matrix:
     try:
         state = np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset)
     except np.linalg.LinAlgError:
+        if closed.ndim > 2:
+            return np.array([_closed(*each) for each in zip(closed, offset, strict=True)])
         return np.full(offset.shape, np.nan)
     sizes, added = (np.abs(q).max(axis=(-2, -1), keepdims=True) for q in (state, offset))
     return np.where(sizes > UNBOUNDED * added, np.nan, state)
@@ -100,59 +102,77 @@ def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
     return coefficients
 
 
-def _passed(
-    cell: "BodyCell", maps: Maps, times: Vector, X: Vector, X_by: Matrix
-) -> tuple[Vector, Matrix, Matrix, Matrix]:
+def _waves(cell: "BodyCell", times: Vector) -> Matrix:
+    """Return `wave` where phases begin and the last ends, and its derivatives by the times.
+
+    Shape (..., P + 1, 3, 1 + times).
+    """
+    angles, count = angles_of(cell, times), len(cell.phases)
+    waves = np.zeros((*angles.shape, 3, 1 + times.shape[-1]))
+    waves[..., 0, 0], waves[..., 1, 0], waves[..., 2, 0] = np.cos(angles), np.sin(angles), 1.0
+    angles_by = cell.omega * np.tri(count + 1, times.shape[-1], -1)
+    if cell.forced:
+        angles_by[:, -1] = 1.0
+    waves[..., 0, 1:] = -waves[..., 1, :1] * angles_by
+    waves[..., 1, 1:] = waves[..., 0, :1] * angles_by
+    return waves
+
+
+def _passed(cell: "BodyCell", maps: Maps, waves: Matrix, X: Matrix) -> tuple[Matrix, ...]:
     """Follow a state through a cell, with its derivatives by the times.
+
+    Parameters
+    ----------
+    waves : ndarray, shape (..., P + 1, 3, 1 + times)
+        See `_waves`.
+    X : ndarray, shape (..., n, 1 + times)
 
     Returns
     -------
-    events : ndarray, shape (P,)
-    events_by : ndarray, shape (P, times)
-    starts : ndarray, shape (P, n)
+    events : ndarray, shape (..., P, 1 + times)
+    starts : ndarray, shape (..., P, n)
         Where each phase begins.
-    end_by : ndarray, shape (n, times)
-        Derivatives of the end of the cell, mirrored if cells are.
+    end : ndarray, shape (..., n, 1 + times)
+        The end of the cell, mirrored if cells are.
     """
-    count, width, theta = len(maps), len(times), angles_of(cell, times)
-    angles_by = cell.omega * np.tri(count + 1, width, -1)  # of the angles by the times
-    if cell.forced:
-        angles_by[:, -1] = 1.0
-    starts, events, events_by = np.empty((count, len(X))), np.empty(count), []
+    events, starts = [], []
     for p, (part, (flow, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
-        starts[p] = X
-        X = flow @ X + by_wave @ wave(theta[p])
-        X_by = flow @ X_by + np.outer(by_wave @ turned(theta[p]), angles_by[p])
-        X_by[:, p] += rates(part, X, theta[p + 1])
-        event, waves = part.closing.gradient, part.closing.waves
-        events[p] = event @ X + waves @ wave(theta[p + 1])
-        events_by.append(event @ X_by + waves @ turned(theta[p + 1]) * angles_by[p + 1])
-        jump, inputs = part.closing.state, part.closing.inputs
-        X = jump @ X + inputs @ wave(theta[p + 1])
-        X_by = jump @ X_by + np.outer(inputs @ turned(theta[p + 1]), angles_by[p + 1])
-    return events, np.array(events_by), starts, cell.sign * X_by
+        starts.append(X[..., 0])
+        begins, ends, closing = waves[..., p, :, :], waves[..., p + 1, :, :], part.closing
+        X = flow @ X + by_wave @ begins
+        X[..., 1 + p] += rates(part, X[..., 0], ends[..., 0])
+        events.append(closing.gradient @ X + (closing.waves @ ends))
+        X = closing.state @ X + closing.inputs @ ends
+    return np.stack(events, axis=-2), np.stack(starts, axis=-2), cell.sign * X
 
 
-@kept_by_times(8)
-def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
+def at_times(cell: "BodyCell", times: Vector) -> Evaluation:
     """Return residual, Jacobian and states of the exact equations at given times.
 
     Parameters
     ----------
     cell : BodyCell
-    times : ndarray
-        Durations and, if something forces, the phase of the forcing.
+    times : ndarray, shape (..., times)
+        Durations and, if something forces, the phase of the forcing.  Of several a stack.
     """
-    parts, theta = parts_of(cell), angles_of(cell, times)
-    maps = [phase_map(part, float(s)) for part, s in zip(parts, times, strict=False)]
-    closed, offset = _through(cell, maps, theta - theta[0])
-    X = _closed(closed, offset) @ wave(theta[0])
-    *_, moved = _passed(cell, maps, times, X, np.zeros((len(X), len(times))))
-    residual, jacobian, starts, _ = _passed(cell, maps, times, X, _closed(closed, moved))
+    parts, waves, angles = parts_of(cell), _waves(cell, times), angles_of(cell, times)
+    maps = [phase_map(part, times[..., p]) for p, part in enumerate(parts)]
+    closed, offset = _through(cell, maps, angles - angles[..., :1])
+    X = np.zeros((*offset.shape[:-1], waves.shape[-1]))
+    X[..., :1] = _closed(closed, offset) @ waves[..., 0, :, :1]
+    *_, moved = _passed(cell, maps, waves, X)
+    X[..., 1:] = _closed(closed, moved[..., 1:])
+    events, starts, _ = _passed(cell, maps, waves, X)
+    residual, jacobian = events[..., 0], events[..., 1:]
     if cell.forced:
-        residual = np.append(residual, times[:-1].sum() - cell.duration)
-        jacobian = np.vstack([jacobian, np.append(np.ones(len(parts)), 0.0)])
+        excess = times[..., :-1].sum(axis=-1, keepdims=True) - cell.duration
+        ones = np.broadcast_to(np.append(np.ones(len(parts)), 0.0), jacobian[..., :1, :].shape)
+        residual = np.concatenate([residual, excess], axis=-1)
+        jacobian = np.concatenate([jacobian, ones], axis=-2)
     return Evaluation(residual, jacobian, starts)
+
+
+evaluated = kept_by_times(8)(at_times)
 
 
 def left_open(cell: "BodyCell", times: Vector) -> float:

@@ -137,9 +137,10 @@ def turned(angle: float) -> Vector:
 
 def angles_of(cell: "BodyCell", times: Vector) -> Vector:
     """Return the angle of the forcing where each phase begins, and where the last ends."""
-    durations = times[: len(cell.phases)]
-    first = float(times[-1]) if cell.forced else 0.0
-    return first + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
+    count = len(cell.phases)
+    angles = np.zeros((*times.shape[:-1], count + 1))
+    angles[..., 1:] = cell.omega * np.cumsum(times[..., :count], axis=-1)
+    return angles + times[..., -1:] if cell.forced else angles
 
 
 def phase_map(part: Part, s: float | Vector) -> tuple[Matrix, Matrix]:
@@ -156,12 +157,12 @@ def phase_map(part: Part, s: float | Vector) -> tuple[Matrix, Matrix]:
     return flow, by_wave
 
 
-def rates(part: Part, X: Vector, angle: float) -> Vector:
-    """Return the derivative of ``X = (y, memory)`` by time."""
+def rates(part: Part, X: Vector, waving: Vector) -> Vector:
+    """Return the derivative of ``X = (y, memory)`` by time, for a `wave`; or of several."""
     states = part.lawful.A.shape[0]
-    inputs = np.concatenate([wave(angle), X[states:]])
-    derivative = np.zeros(len(X))
-    derivative[:states] = part.lawful.A @ X[:states] + part.lawful.inputs @ inputs
+    inputs = np.concatenate([waving, X[..., states:]], axis=-1)
+    derivative = np.zeros(X.shape)
+    derivative[..., :states] = X[..., :states] @ part.lawful.A.T + inputs @ part.lawful.inputs.T
     return derivative
 
 

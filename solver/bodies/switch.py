@@ -43,7 +43,7 @@ class Switch:
         """Whether the state is unchanged."""
         return np.array_equal(self.state, np.eye(len(self.state)))
 
-    @property
+    @cached_property
     def gradient(self) -> Matrix:
         """The event's factors of ``X = (y, memory)``."""
         return np.delete(self.event, slice(self.states, self.states + 3))

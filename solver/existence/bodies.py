@@ -17,9 +17,10 @@ from itertools import groupby, product
 import numpy as np
 
 from ..arrays import Complex, Matrix, Vector
-from ..bodies.exact import events_by_wave
+from ..bodies.exact import at_times, events_by_wave
 from ..bodies.modal import Modal
 from ..bodies.part import later, parts_of, phase_map, wave
+from ..iteration.many import converged
 from ..kernels.start import RoughTimes, rough_times
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
@@ -71,11 +72,31 @@ def solutions(case: Case) -> Iterator[ExactOrbit]:
     for group in _starts(case.cell):  # type: ignore[arg-type]
         if any(solution.admissible and is_stable(solution) for solution in roots):
             return
-        for start in group:
+        for start in ends(case.cell, [*group]):  # type: ignore[arg-type]
+            if any(times_apart(q, start.durations, start.angle) <= SAME for q in roots):
+                continue
             solution = from_times(case, start)
-            if solution.outcome.converged and not any(_same(solution, q) for q in roots):
+            if solution.outcome.converged:
                 roots.append(solution)
                 yield solution
+
+
+def ends(cell: BodyCell, starts: Sequence[RoughTimes]) -> Iterator[RoughTimes]:
+    """Yield the times to which Newton's method leads from several, some of them often."""
+
+    def equations(times: Matrix) -> tuple[Matrix, Matrix]:
+        found = at_times(cell, times)
+        return found.residual, found.jacobian
+
+    count = len(cell.phases)
+    at_once = 1 + ROOM // (count * (2 * len(cell.body.squares)) ** 2)
+    for i in range(0, len(starts), at_once):
+        rows = [[*q.durations, *[q.angle] * cell.forced] for q in starts[i : i + at_once]]
+        with np.errstate(all="ignore"):
+            found_times = converged(equations, np.array(rows), int(cell.forced))
+        for z in found_times:
+            angle = float(z[count]) if cell.forced else 0.0
+            yield RoughTimes(tuple(map(float, z[:count])), angle, "several starts")
 
 
 def complete(cell: BodyCell, orbits: Sequence[ExactOrbit]) -> bool:
@@ -208,6 +229,7 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
     close = np.geomspace(SHORTEST, even[0], AT_ENDS, endpoint=False)
     parts = np.concatenate([close, even, 1 - close[::-1]])
 
+    @np.errstate(over="ignore", invalid="ignore")  # the motion may grow beyond float64
     def side(parts: Vector) -> Vector:
         events = _both(quick, parts)
         (a, b, c), (d, e, f) = (events[:, p].T for p in (0, 1))
@@ -273,11 +295,6 @@ def in_one_phase(cell: BodyCell, p: int) -> tuple[float, float, bool] | None:
             return None
     size = float(np.abs(swing[0]))
     return float(mean[0]) - size, float(mean[0]) + size, bool(part.flow.poles.real.max() < 0)
-
-
-def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
-    """Whether two solutions have the same times."""
-    return times_apart(one, other.cell_durations, other.angle) <= SAME
 
 
 def steady(cell: BodyCell, p: int) -> tuple[Vector, Complex] | None:

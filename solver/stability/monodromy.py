@@ -96,8 +96,8 @@ def of_body(cell: BodyCell, times: Vector) -> tuple[Matrix, Matrix, Vector]:
         transition, by_wave = phase_map(part, float(times[p]))
         end = transition @ starts[p] + by_wave @ wave(theta[p])
         q, sign = (p + 1, 1) if p + 1 < count else (0, cell.sign)
-        before = rates(part, end, theta[p + 1])
-        after = sign * rates(parts[q], starts[q], theta[q] if q == 0 else theta[p + 1])
+        before = rates(part, end, wave(theta[p + 1]))
+        after = sign * rates(parts[q], starts[q], wave(theta[q] if q == 0 else theta[p + 1]))
         gradient, waves = part.switch.gradient, part.switch.waves
         approach = cell.omega * float(waves @ turned(theta[p + 1]))
         scale = float(np.abs(gradient) @ np.abs(before)) + cell.omega * float(

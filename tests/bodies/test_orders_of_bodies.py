@@ -11,8 +11,9 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import bodies
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.in_order import motion_of
+from nonsmooth.solver.iteration.many import converged
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.kernels.start import RoughTimes
+from nonsmooth.solver.kernels.start import RoughTimes, rough_times
 from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import UnknownScene
@@ -73,14 +74,26 @@ def test_starts_nearest_to_their_events_lead_to_a_stable_orbit(name: str, monkey
     """Of four phases; then the others, ten times as many, are left out."""
     tried: list = []
 
-    def counted(own: Case, start):
-        tried.append(start)
-        return from_times(own, start)
+    def counted(equations, starts, forced: int):
+        tried.extend(starts)
+        return converged(equations, starts, forced)
 
-    monkeypatch.setattr(bodies, "from_times", counted)
+    monkeypatch.setattr(bodies, "converged", counted)
     (solution,) = bodies.solutions(case(name))
     assert solution.admissible
     assert 0 < len(tried) <= 12
+
+
+def test_many_starts_at_once_lead_where_each_leads_alone() -> None:
+    """Also beside one at which the equations are singular or overflow."""
+    own = case("two-stops-four-phases")
+    starts = [*rough_times(own.cell)]
+    starts[1:1] = [RoughTimes((bad,) * 4, 0.0, "") for bad in (1e-300, 1e300)]
+    alone = [q.times for q in (from_times(own, each) for each in starts) if q.outcome.converged]
+    ends = [*bodies.ends(own.cell, starts)]
+    assert len(ends) == len(alone) > 5
+    for end, times in zip(ends, alone, strict=True):
+        assert [*end.durations, end.angle] == pytest.approx(times, abs=1e-6)
 
 
 @pytest.mark.parametrize(
