@@ -15,8 +15,8 @@ from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
 from ..scenes.parameter_error import ParameterError
 
-#: Numbers of terms tried for the series in each parameter.
-TERMS = 4, 8, 16, 32, 64
+#: Least and most terms of the series in each parameter.
+LEAST_TERMS, MOST_TERMS = 4, 64
 
 Bounds = tuple[tuple[float, float], tuple[float, float]]
 
@@ -127,21 +127,24 @@ def _series(
     intervals = _intervals(case, indices, bounds)
     cell = course.cell(case.numbers)
     blocks = course.blocks(cell, course.forms(case.numbers, rows, cell))
-    for terms in TERMS:
-        nodes, table = chebyshev(terms)
+    counts = [LEAST_TERMS, LEAST_TERMS]
+    while max(counts) <= MOST_TERMS:
+        (first, one), (second, other) = map(chebyshev, counts)
         values = []
-        for point in product(*(map(q.value, nodes) for q in intervals)):
+        for point in product(map(intervals[0].value, first), map(intervals[1].value, second)):
             numbers = _with(case, indices, point)
             cell = course.cell(numbers)
             values.append(course.entries(cell, course.forms(numbers, rows, cell)))
-        grid = np.array(values).T.reshape(-1, terms, terms)
-        coefficients = table @ grid @ table.T
+        grid = np.array(values).T.reshape(-1, *counts)
+        coefficients = one @ grid @ other.T
         largest = of_blocks(np.abs(grid).max(axis=(1, 2)), blocks)[:, None, None]
-        coefficients[np.abs(coefficients) <= terms * ROUNDING * largest] = 0.0
-        if not (coefficients[:, -1:].any() or coefficients[:, :, -1:].any()):
+        coefficients[np.abs(coefficients) <= max(counts) * ROUNDING * largest] = 0.0
+        more = coefficients[:, -1].any(), coefficients[:, :, -1].any()
+        if not any(more):
             used = [np.flatnonzero(coefficients.any(axis=i))[-1] + 1 for i in ((0, 2), (0, 1))]
-            first, second = (max(2, int(count)) for count in used)
-            return np.ascontiguousarray(coefficients[:, :first, :second])
+            along, across = (max(2, int(count)) for count in used)
+            return np.ascontiguousarray(coefficients[:, :along, :across])
+        counts = [count << int(grows) for count, grows in zip(counts, more, strict=True)]
     names = [case.scene.parameters[i].name for i in indices]
     over = [f"from {low:g} to {high:g}" for low, high in bounds]
     words = f"{names[0]}: got values {over[0]}, and of {names[1]} {over[1]}, over which the"
