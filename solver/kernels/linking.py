@@ -12,7 +12,7 @@ from typing import Any
 
 from ...generated import hb
 from ..arrays import Complex, Matrix, Vector
-from ..iteration import iteration, linear, single
+from ..iteration import by_rows, iteration, linear, single
 from ..iteration.iteration import Iteration
 from ..maps import alone, band, one_by_one, series, series_rates, together
 from ..rows import (
@@ -76,7 +76,8 @@ def newton_with(
     `constants` replace those of the modules.
     """
     system = {"residual": residual, "jacobian": jacobian, "times_of": times_of}
-    return made(SEVERAL, system | constants, make, of_numbers=system)
+    modules = (*SEVERAL, by_rows) if make is rebuilt else SEVERAL
+    return made(modules, system | constants, make, of_numbers=system)
 
 
 def times_of(case: Any) -> tuple[int, int]:

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from nonsmooth.solver.iteration import by_rows
 from nonsmooth.solver.iteration.linear import factorise, solve_factorised
 
 
@@ -35,3 +36,17 @@ def test_a_diagonal_that_is_nothing_is_exchanged(corner: float) -> None:
 @pytest.mark.parametrize("rows", [[[0.0, 0.0], [0.0, 1.0]], [[1.0, 2.0], [2.0, 4.0]]])
 def test_a_singular_matrix_is_said_to_be(rows: list[list[float]]) -> None:
     assert not factorise(np.array(rows), np.empty(2, dtype=np.int64))
+
+
+@pytest.mark.parametrize("n", [5, 16, 40])
+@pytest.mark.parametrize("filled", [0.2, 1.0])
+def test_all_rows_at_once_give_the_same_bits(n: int, filled: float) -> None:
+    rng = np.random.default_rng(n)
+    A = rng.normal(size=(n, n)) * (rng.random((n, n)) < filled) + 0.1 * np.eye(n)
+    (one, rows), (other, others) = ((A.copy(), np.zeros(n, dtype=np.int64)) for _ in range(2))
+    assert factorise(one, rows)
+    assert by_rows.factorise(other, others)
+    np.testing.assert_array_equal(other, one)
+    np.testing.assert_array_equal(others, rows)
+    A[:, n // 2] = 0.0
+    assert not by_rows.factorise(A, rows)
