@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Vector
+from ..arrays import Indices, Vector
 from ..branch.follow import CLOSED, RANGE
 from ..branch.locate import TURNED
 from ..branch.walk import FLIP, MEETS, OWN, PAIRS
@@ -82,35 +82,40 @@ def _monitor_of(plane: Plane, event: Happening) -> int | None:
 
 def _followed(kind: str, plane: Plane, monitor: int, y: Vector, across: int) -> list[Curve]:
     """Return the curve through an event; none if it cannot be followed at all."""
-    first, direction = _pinned(plane, monitor, y, _unit(len(y), across))
+    first, direction, monitors = _pinned(plane, monitor, y, _unit(len(y), across))
     if first is None:
         return []
-    forth, why = _way(plane, monitor, first, direction)
+    watched = ~(np.abs(monitors) <= ROUNDING)  # else there is none as yet
+    watched[-OWN:], watched[monitor] = False, False
+    forth, why = _way(plane, monitor, watched, first, direction)
     if why == CLOSED:
         return [Curve(kind, plane, monitor, (first, *forth, first), (why, why))]
-    back, before = _way(plane, monitor, first, -direction)
+    back, before = _way(plane, monitor, watched, first, -direction)
     points = (*reversed(back), first, *forth)
     return [Curve(kind, plane, monitor, points, (before, why))] if len(points) > 1 else []
 
 
-def _way(plane: Plane, monitor: int, y: Vector, direction: Vector) -> tuple[list[Vector], str]:
-    """Return the points of a curve from y on in a direction, and why it ends."""
+def _way(
+    plane: Plane, monitor: int, watched: Indices, y: Vector, direction: Vector
+) -> tuple[list[Vector], str]:
+    """Return the points of a curve from y on in a direction, and why it ends.
+
+    It ends where one of the `watched` monitors is negative.
+    """
     start, ahead, weights = y, direction, np.append(plane.series.weights, 1.0)
-    watched = np.abs(_monitors(plane, y)) > ROUNDING  # or there is none as yet
-    watched |= np.isnan(_monitors(plane, y))
-    watched[-OWN:], watched[monitor] = False, False
     points: list[Vector] = []
     length, growth, why = FIRST, GROWTH, LOST
     while len(points) < MOST_POINTS:
         visible = float(np.abs(direction[-2:]).max())
         length = min(length, MOST, MOST_SEEN / visible if visible else MOST)
-        point, tangent = _pinned(plane, monitor, y + length * direction / weights, direction)
+        ahead_of_y = y + length * direction / weights
+        point, tangent, monitors = _pinned(plane, monitor, ahead_of_y, direction)
         accepted = point is not None and tangent @ direction >= TURN
         if point is not None and accepted:
             if np.abs(point[-2:]).max() > 1:
                 end = _edge(plane, monitor, y, point)
                 return ([*points, end], RANGE) if end is not None else (points, LOST)
-            if (_monitors(plane, point)[watched] < -ROUNDING).any():
+            if (monitors[watched] < -ROUNDING).any():
                 accepted, growth, why = False, 1.0, VIOLATED
             elif monitor == MONITORS["torus"] and not _turns(plane, point):
                 accepted, growth, why = False, 1.0, REAL
@@ -166,7 +171,7 @@ def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
             return True
         if distance > MOST_SEEN:
             continue
-        point, _ = _pinned(curve.plane, curve.monitor, y, _unit(len(y), across))
+        point, *_ = _pinned(curve.plane, curve.monitor, y, _unit(len(y), across))
         if point is not None and abs(point[along] - at[1 - across]) <= ON:
             return True
     return False
@@ -179,16 +184,11 @@ def _unit(size: int, which: int) -> Vector:
     return unit
 
 
-def _monitors(plane: Plane, y: Vector) -> Vector:
-    monitors: Vector = by("monitors_at", plane, y)
-    return monitors
-
-
 def _pinned(
     plane: Plane, monitor: int, y: Vector, border: Vector
-) -> tuple[Vector | None, Vector]:
-    """Return the point on a curve orthogonal to a border, or None, and the tangent there."""
-    number = len(_monitors(plane, y)) + monitor if monitor < 0 else monitor
+) -> tuple[Vector | None, Vector, Vector]:
+    """Return the point on a curve orthogonal to a border, or None; tangent, monitors there."""
+    count = 3 * len(plane.rows) + len(plane.series.kinds) + OWN
     point = y.copy()
-    converged, direction = by("pinned", plane, number, point, border)
-    return (point if converged else None), direction
+    converged, *others = by("pinned", plane, monitor % count, point, border)
+    return (point if converged else None), *others

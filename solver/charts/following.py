@@ -6,16 +6,25 @@ the monitor.  That of a fold is the determinant of the equations.
 Plain Python, or compiled by numba with the equations along a branch.
 """
 
-from math import isfinite, sqrt
+from math import isfinite, nan, sqrt
 from typing import Any
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..branch.extended import DIFFERENCE, SMALL, jacobian_along, residual_along
-from ..branch.walk import tangent_and_monitors
+from ..branch.extended import (
+    DIFFERENCE,
+    SMALL,
+    case_at,
+    jacobian_along,
+    residual_along,
+    tangent,
+)
+from ..branch.walk import FLIP, MEETS, multiplier_monitors, tangent_and_monitors
+from ..branch.watch import INTO, PHASE, watched
 from ..iteration.iteration import ROUNDOFF, scale_rows
 from ..iteration.linear import factorise, solve_factorised
+from ..stability.cell_map import cell_map, end_rates
 from .filling import row_of
 
 #: Most corrections; most of them with a new Jacobian.
@@ -38,11 +47,37 @@ def monitors_at(plane: Any, table: Any, y: Vector) -> Vector:
     return monitors
 
 
+def monitor_at(plane: Any, table: Any, monitor: int, y: Vector) -> float:
+    """Return one of the monitors at an orbit, without computing the others."""
+    n, along, row = len(y) - 2, row_of(plane, y[len(y) - 1]), monitor // 3
+    p = monitor - 3 * len(table)
+    own, case = p - len(along[0]), case_at(along, y[n])
+    if own == MEETS:
+        border = np.zeros(n + 1)
+        border[n] = 1.0
+        _, meets = tangent(along, y[: n + 1], border)
+        return float(meets)
+    if own >= 0:
+        through, _, _ = cell_map(case, y[:n], end_rates(case, y[:n]), 1.0)
+        if not np.isfinite(through).all():
+            return nan
+        flip, _, pairs = multiplier_monitors(along[6] * through)
+        return float(flip if own == FLIP else pairs)
+    if p >= 0:
+        return float(y[along[5] + p])
+    needed, values = table.copy(), np.empty((len(table), 3))
+    for i in range(len(table)):
+        if i != row and table[i, INTO] != row:
+            needed[i, PHASE] = -1
+    watched(case, needed, y[:n], values, np.empty((0, 2)))
+    return float(values[row, monitor % 3])
+
+
 def residuals(plane: Any, table: Any, monitor: int, y: Vector, R: Vector) -> None:
     """Fill R with the residual of the equations, the monitor and zero."""
     n = len(y) - 2
     residual_along(row_of(plane, y[n + 1]), y[:n], y[n], R[:n])
-    R[n], R[n + 1] = monitors_at(plane, table, y)[monitor], 0.0
+    R[n], R[n + 1] = monitor_at(plane, table, monitor, y), 0.0
 
 
 def bordered_jacobian(
@@ -64,7 +99,7 @@ def bordered_jacobian(
         for k in range(2):
             moved = y.copy()
             moved[j] += (1 - 2 * k) * DIFFERENCE / weight
-            ends[k] = monitors_at(plane, table, moved)[monitor]
+            ends[k] = monitor_at(plane, table, monitor, moved)
         for i in range(n):
             J[i, j] /= weight
         J[n, j], J[n + 1, j] = (ends[0] - ends[1]) / (2 * DIFFERENCE), border[j]
@@ -72,8 +107,10 @@ def bordered_jacobian(
 
 def pinned(
     plane: Any, table: Any, monitor: int, y: Vector, border: Vector
-) -> tuple[bool, Vector]:
-    """Correct `y` to the curve, orthogonally to a border; return convergence and tangent.
+) -> tuple[bool, Vector, Vector]:
+    """Correct `y` to the curve, orthogonally to a border.
+
+    Returned are whether that converges, the tangent there, and all monitors.
 
     border : ndarray, shape (unknowns + 2,)
         In scaled coordinates; its product with the tangent is positive.
@@ -90,7 +127,7 @@ def pinned(
             bordered_jacobian(plane, table, monitor, y, border, J)
             scale_rows(J, scales)
             if not factorise(J, rows):
-                return False, direction
+                return False, direction, direction
         for i in range(n):
             step[i] /= scales[i]
         solve_factorised(J, rows, step)
@@ -106,4 +143,5 @@ def pinned(
         if size <= ROUNDOFF:
             break
     solve_factorised(J, rows, direction)
-    return before <= SMALL, direction / sqrt(np.dot(direction, direction))
+    direction = direction / sqrt(np.dot(direction, direction))
+    return before <= SMALL, direction, monitors_at(plane, table, y)
