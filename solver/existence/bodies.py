@@ -17,10 +17,10 @@ from itertools import groupby, product
 import numpy as np
 
 from ..arrays import Complex, Matrix, Vector
-from ..bodies.exact import at_times, events_by_wave
+from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
 from ..bodies.part import later, parts_of, phase_map, wave
-from ..iteration.many import converged
+from ..kernels.bodies import ends
 from ..kernels.start import RoughTimes, rough_times
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
@@ -79,24 +79,6 @@ def solutions(case: Case) -> Iterator[ExactOrbit]:
             if solution.outcome.converged:
                 roots.append(solution)
                 yield solution
-
-
-def ends(cell: BodyCell, starts: Sequence[RoughTimes]) -> Iterator[RoughTimes]:
-    """Yield the times to which Newton's method leads from several, some of them often."""
-
-    def equations(times: Matrix) -> tuple[Matrix, Matrix]:
-        found = at_times(cell, times)
-        return found.residual, found.jacobian
-
-    count = len(cell.phases)
-    at_once = 1 + ROOM // (count * (2 * len(cell.body.squares)) ** 2)
-    for i in range(0, len(starts), at_once):
-        rows = [[*q.durations, *[q.angle] * cell.forced] for q in starts[i : i + at_once]]
-        with np.errstate(all="ignore"):
-            found_times = converged(equations, np.array(rows), int(cell.forced))
-        for z in found_times:
-            angle = float(z[count]) if cell.forced else 0.0
-            yield RoughTimes(tuple(map(float, z[:count])), angle, "several starts")
 
 
 def complete(cell: BodyCell, orbits: Sequence[ExactOrbit]) -> bool:

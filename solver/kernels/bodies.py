@@ -1,6 +1,6 @@
 """Kernels of bodies, solved for times alone: force series, harmonics, exact equations."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -19,15 +19,20 @@ from ..bodies.force_series import (
 from ..bodies.force_series.layout import setting
 from ..bodies.harmonics import system as harmonics
 from ..bodies.part import parts_of
+from ..iteration.many import converged
 from ..scenes.methods import about
 from . import linking
 from .compiling import Account, rebuilt
 from .family import Family
 from .kernel import Kernel
+from .start import RoughTimes
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
     from ..scenes.loaded import LoadedScene
+
+#: Largest number of entries of all phase maps of starts that are solved at once.
+ROOM = 2_000_000
 
 #: Lowest order: a line on each phase, one harmonic.
 LOWEST = 1
@@ -219,3 +224,21 @@ def _fill(case: Given, z: Vector, times: Vector, states: int) -> None:
     else:
         memory = list(motions.memory_of(cell, order, functions, times))
     z[states : states + len(cell.memory)] = memory
+
+
+def ends(cell: "BodyCell", starts: Sequence[RoughTimes]) -> Iterator[RoughTimes]:
+    """Yield the times to which Newton's method leads from several, some of them often."""
+
+    def equations(times: Matrix) -> tuple[Matrix, Matrix]:
+        found = exact.at_times(cell, times)
+        return found.residual, found.jacobian
+
+    count = len(cell.phases)
+    at_once = 1 + ROOM // (count * (2 * len(cell.body.squares)) ** 2)
+    for i in range(0, len(starts), at_once):
+        rows = [[*q.durations, *[q.angle] * cell.forced] for q in starts[i : i + at_once]]
+        with np.errstate(all="ignore"):
+            found_times = converged(equations, np.array(rows), int(cell.forced))
+        for z in found_times:
+            angle = float(z[count]) if cell.forced else 0.0
+            yield RoughTimes(tuple(map(float, z[:count])), angle, "several starts")

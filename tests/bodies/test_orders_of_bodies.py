@@ -12,6 +12,7 @@ from nonsmooth.solver.existence import bodies
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.iteration.many import converged
+from nonsmooth.solver.kernels import bodies as kernels
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes, rough_times
 from nonsmooth.solver.orbit.exact_orbit import from_times
@@ -78,7 +79,7 @@ def test_starts_nearest_to_their_events_lead_to_a_stable_orbit(name: str, monkey
         tried.extend(starts)
         return converged(equations, starts, forced)
 
-    monkeypatch.setattr(bodies, "converged", counted)
+    monkeypatch.setattr(kernels, "converged", counted)
     (solution,) = bodies.solutions(case(name))
     assert solution.admissible
     assert 0 < len(tried) <= 12
@@ -90,7 +91,7 @@ def test_many_starts_at_once_lead_where_each_leads_alone() -> None:
     starts = [*rough_times(own.cell)]
     starts[1:1] = [RoughTimes((bad,) * 4, 0.0, "") for bad in (1e-300, 1e300)]
     alone = [q.times for q in (from_times(own, each) for each in starts) if q.outcome.converged]
-    ends = [*bodies.ends(own.cell, starts)]
+    ends = [*kernels.ends(own.cell, starts)]
     assert len(ends) == len(alone) > 5
     for end, times in zip(ends, alone, strict=True):
         assert [*end.durations, end.angle] == pytest.approx(times, abs=1e-6)
