@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
+from itertools import count
 
 
 def nearest(name: object, known: Iterable[str]) -> list[str]:
@@ -40,12 +41,18 @@ def one_of(name: object, known: Iterable[str]) -> str:
 
 
 def numbered(names: Sequence[str]) -> list[str]:
-    """Return names with a number behind those that occurred before.
+    """Return names with a number behind those that occurred before; no two are the same.
 
     Examples
     --------
     >>> numbered(["slide", "stop", "slide"])
     ['slide', 'stop', 'slide_2']
+    >>> numbered(["slide", "slide", "slide_2"])
+    ['slide', 'slide_3', 'slide_2']
     """
-    counts = [names[: i + 1].count(name) for i, name in enumerate(names)]
-    return [f"{name}_{n}" if n > 1 else name for name, n in zip(names, counts, strict=True)]
+    found: list[str] = []
+    for i, name in enumerate(names):
+        others = (f"{name}_{n}" for n in count(names[: i + 1].count(name)))
+        free = (other for other in others if other not in names and other not in found)
+        found.append(next(free) if name in names[:i] else name)
+    return found
