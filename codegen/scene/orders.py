@@ -6,6 +6,7 @@ mirror image of one, and ``mirrored`` at the end if they are half a period.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import sympy as sp
@@ -37,6 +38,18 @@ class AllPhases(NamedTuple):
 
     scene: SceneData
     orders: Mapping[str, tuple[Place, ...]]
+
+    def followers(self, p: int) -> list[Place]:
+        """Return the phases that motions have behind phase `p`, and whether mirrored.
+
+        First that of the longest motion, whose demands at the switch the phase has.
+        """
+        found = []
+        for places in sorted(self.orders.values(), key=len, reverse=True):
+            first = [(q, mirrored != self.scene.half_period) for q, mirrored in places[:1]]
+            for (q, mirrored), (after, turned) in pairwise((*places, *first)):
+                found += [(after, turned != mirrored)] if q == p else []
+        return found
 
 
 def all_phases(scene: SceneData) -> AllPhases:
@@ -89,26 +102,30 @@ def in_order(scene: Scene, phases: str) -> Scene:
     >>> found.phases[2].equation
     -F*forcing + F_N*mu_k + a*m + c*v + k*x
     """
-    base = all_phases(scene).scene if scene.motions else scene
+    every = all_phases(scene)
+    base = every.scene
     names = [name.strip() for name in phases.split(",")]
     half = names[-1:] == [MIRRORED]
     names = names[:-1] if half else names
     steps = [(name.removeprefix("-"), name.startswith("-")) for name in names]
-    by_name = {phase.name: phase for phase in base.phases}
+    index = {phase.name: p for p, phase in enumerate(base.phases)}
     for name, minus in steps:
-        if name not in by_name or (minus and not base.half_period):
+        if name not in index or (minus and not base.half_period):
             got = f"-{name}" if minus else name
-            raise ValueError(f"phases: got {got!r}, expected {one_of(name, by_name)}")
+            raise ValueError(f"phases: got {got!r}, expected {one_of(name, index)}")
     if half and not (base.half_period or _is_odd(base)):
         raise ValueError(
             f"phases: got {MIRRORED}, but a mirror image is no motion of {base.name}"
         )
     called = numbered([f"{name}{IMAGE}" if minus else name for name, minus in steps])
-    memory, substitutions = _settings(base, steps, called, half)
+    places = [(index[name], minus) for name, minus in steps]
+    memory, substitutions = _settings(every, places, called, half)
     ordered = []
-    for (name, minus), new_name, values in zip(steps, called, substitutions, strict=True):
-        phase = _mirrored(by_name[name], base) if minus else by_name[name]
-        ordered.append(replace(with_values(phase, values), name=new_name))
+    for p, (q, minus) in enumerate(places):
+        phase = _mirrored(base.phases[q], base) if minus else base.phases[q]
+        if not _is_declared(every, places, p, half):
+            phase = replace(phase, ends=replace(phase.ends, demands={}))
+        ordered.append(replace(with_values(phase, substitutions[p]), name=called[p]))
     try:
         return replace(
             scene,
@@ -125,17 +142,18 @@ def in_order(scene: Scene, phases: str) -> Scene:
 
 
 def _settings(
-    scene: SceneData, steps: Sequence[tuple[str, bool]], called: Sequence[str], half: bool
+    every: AllPhases, steps: Sequence[Place], called: Sequence[str], half: bool
 ) -> tuple[tuple[Memory, ...], list[dict[sp.Symbol, sp.Expr]]]:
     """Return a memory for each phase that sets one, and its symbol in each phase.
 
     Before the first phase that sets a memory, the last one of the cell holds; its sign is left
     to `Scene.cell`.
     """
+    scene = every.scene
     memories: list[Memory] = []
     substitutions: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in steps]
     for memory in scene.memory:
-        places = [p for p, (name, _) in enumerate(steps) if name == memory.at]
+        places = [p for p, (q, _) in enumerate(steps) if scene.phases[q].name == memory.at]
         if not places:
             raise ValueError(f"phases: expected {memory.at} among them: it sets {memory.what}")
         names = numbered([memory.symbol.name] * len(places))
@@ -145,29 +163,37 @@ def _settings(
             substitutions[p][memory.symbol] = symbols[latest]
         for p, symbol in zip(places, symbols, strict=True):
             value = sp.sympify(memory.value)
-            mirrored = _begins_mirrored(scene, steps, p, half)
+            mirrored = _begins_mirrored(every, steps, p, half)
             value = -value.subs(_image(scene)) if mirrored else value
             memories.append(Memory(symbol, called[p], value, memory.what))
     return tuple(memories), substitutions
 
 
-def _begins_mirrored(
-    scene: SceneData, steps: Sequence[tuple[str, bool]], p: int, half: bool
-) -> bool:
+def _begins_mirrored(every: AllPhases, steps: Sequence[Place], p: int, half: bool) -> bool:
     """Return whether phase `p` of an order begins as the mirror image of the declared phase.
 
-    A phase with the same equation as its image is mirrored or not by its end.  If it follows
-    its declared predecessor, or the image of that, it begins as that one was mirrored.
+    A phase with the same equation as its image is mirrored or not by its end.  If it follows a
+    declared predecessor, or the image of one, it begins as that one was mirrored.
     """
-    (name, minus), (before, mirrored) = steps[p], steps[p - 1]
-    place = [phase.name for phase in scene.phases].index(name)
-    phase = scene.phases[place]
-    laws = sp.flatten([phase.equation, _mirrored(phase, scene).equation])
+    (q, minus), (before, mirrored) = steps[p], steps[p - 1]
+    behind = [turned for after, turned in every.followers(before) if after == q]
+    phase = every.scene.phases[q]
+    laws = sp.flatten([phase.equation, _mirrored(phase, every.scene).equation])
     images = zip(laws[: len(laws) // 2], laws[len(laws) // 2 :], strict=True)
-    if scene.phases[place - 1].name != before or any(sp.expand(a - b) for a, b in images):
+    if not behind or any(sp.expand(a - b) for a, b in images):
         return minus
-    turned = (p == 0 and half) != (place == 0 and scene.half_period)
-    return mirrored != turned
+    return mirrored != ((p == 0 and half) != behind[0])
+
+
+def _is_declared(every: AllPhases, steps: Sequence[Place], p: int, half: bool) -> bool:
+    """Return whether behind phase `p` of an order comes what the demands at its end are for."""
+    scene, (q, minus) = every.scene, steps[p]
+    after, turned = steps[(p + 1) % len(steps)]
+    expected, mirrored = every.followers(q)[0]
+    if p < len(steps) - 1 or not half or scene.half_period:
+        turned ^= half and p == len(steps) - 1
+        return (after, turned) == (expected, mirrored != minus)
+    return _alike(_mirrored(scene.phases[after], scene), scene.phases[expected], scene)
 
 
 def _image(scene: SceneData) -> dict[sp.Symbol, sp.Expr]:

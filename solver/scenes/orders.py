@@ -85,14 +85,17 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     Each phase of the order that sets a memory has a memory of its own.
     """
     setters = [memory.phase for memory in cell.memory]
-    slots = [(q, tuple(memory_columns(setters, order, p))) for p, q in enumerate(order.steps)]
+    slots = [
+        (q, tuple(memory_columns(setters, order, p)), after == _first_follower(cell, q))
+        for p, (q, after) in enumerate(pairs(cell, order))
+    ]
     memory = [
         _set_in(p, cell.memory[i], _begins_mirrored(cell, order, p))
         for i, p in _settings(setters, order)
     ]
     variants = {
-        (step, columns): _with_columns(_phase_of(cell, step), columns, len(memory))
-        for step, columns in set(slots)
+        slot: _with_columns(_phase_of(cell, slot[0], slot[2]), slot[1], len(memory))
+        for slot in set(slots)
     }
     names = numbered([q.name for q in memory])
     return replace(
@@ -108,25 +111,31 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     )
 
 
-def _phase_of(cell: Cell, step: Step) -> Phase:
-    """Return the phase of a step of an order, mirrored if the step is."""
+def _first_follower(cell: Cell, step: Step) -> Step:
+    """Return the phase that the demands at the end of another one are for."""
+    follower, turned = cell.followers(step.phase)[0]
+    return Step(follower, turned != step.mirrored)
+
+
+def _phase_of(cell: Cell, step: Step, demanding: bool) -> Phase:
+    """Return the phase of a step, mirrored if the step is; `demanding` at its end, or not."""
     phase = cell.carrying(step.phase)
+    phase = phase if demanding else replace(phase, switch_demands=())
     return mirror(phase) if step.mirrored else phase
 
 
 def _begins_mirrored(cell: Cell, order: Order, p: int) -> bool:
     """Return whether phase `p` of an order begins as the mirror image of the declared phase.
 
-    A phase with the same equation as its image is mirrored or not by its end.  If it follows
-    its declared predecessor, or the image of that, it begins as that one was mirrored.
+    A phase with the same equation as its image is mirrored or not by its end.  If it follows a
+    declared predecessor, or the image of one, it begins as that one was mirrored.
     """
     step, before = order.steps[p], order.steps[p - 1]
     phase = cell.phases[step.phase]
-    elsewhere = before.phase != (step.phase - 1) % len(cell.phases)
-    if elsewhere or mirror(phase).equation != phase.equation:
+    behind = [turned for q, turned in cell.followers(before.phase) if q == step.phase]
+    if not behind or mirror(phase).equation != phase.equation:
         return step.mirrored
-    turned = (p == 0 and order.half_period) != (step.phase == 0 and cell.sign < 0)
-    return before.mirrored != turned
+    return before.mirrored != ((p == 0 and order.half_period) != behind[0])
 
 
 def _set_in(p: int, memory: Memory, mirrored: bool) -> Memory:

@@ -18,7 +18,7 @@ from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.in_order import cases_in_order, motion_of
 from nonsmooth.solver.scenes.loaded import UnknownScene
 from nonsmooth.solver.scenes.ordered import all_phases, declared_as, placed
-from nonsmooth.solver.scenes.orders import Order, Step
+from nonsmooth.solver.scenes.orders import Order, Step, in_cell
 
 c, F, g, k, m, Omega = sp.symbols("c F g k m Omega", positive=True)
 w = sp.Symbol("w", real=True)
@@ -208,3 +208,47 @@ def test_where_another_phase_sets_a_memory_a_motion_stands_alone() -> None:
     assert declared_as(every, Order((Step(0), Step(1)))) == to_right
     assert placed(to_right)[0] == every
     assert placed(to_left) == (to_left, Order((Step(0), Step(1))))
+
+
+def test_demands_at_a_switch_are_for_the_phase_behind_it_in_the_first_motion() -> None:
+    """A mass reverses where the load exceeds friction; in the orbit found it stops there."""
+    friction = k * g
+    holds = {"to the left": friction + LOAD, "to the right": friction - LOAD}
+    forth = Phase("forth", MOVES + friction, Event(v), {"to the right": v})
+    back = Phase("back", MOVES - friction, Event(v), {"to the left": -v})
+    up = Phase("up", a, Event(LOAD - friction), holds, held=sp.Integer(0))
+    down = Phase("down", a, Event(LOAD + friction), holds, held=sp.Integer(0))
+    reverses = (
+        replace(forth, ends=Event(v, demands={"it exceeds": -LOAD - friction})),
+        replace(back, ends=Event(v, demands={"it exceeds": LOAD - friction})),
+    )
+    motions = {"reverses": reverses, "right": (forth, up), "left": (back, down)}
+    two = Scene("rough", "a mass with friction", PARAMETERS, motions=motions, frequency=Omega)
+    orbit = ns.exact(ns.scene(two)(frequency=0.43, force=0.67, gap=0.137))
+    assert orbit.case.scene.motion == "forth,down,mirrored"
+    assert orbit.stable
+    ordered = in_order(two, "forth,back,forth,down,back,up").phases
+    assert [len(q.ends.demands) for q in ordered] == [1, 1, 0, 0, 0, 0]
+    steps = tuple(map(Step, (0, 1, 0, 3, 1, 2)))
+    phases = in_cell(all_phases(ns.scene(two)).cell((0.4,) * 6), Order(steps)).phases
+    assert [len(q.switch_demands) for q in phases] == [1, 1, 0, 0, 0, 0]
+
+
+def test_a_phase_begins_as_the_one_before_it_leaves_it_in_any_motion() -> None:
+    """The first phase of the longest motion sets a memory; its last is not the last of all."""
+    law = MOVES + k * (x - w)
+    elastic = Phase("elastic", law, Event(x - w + g), {"yields": x - w + g, "other": g + w - x})
+    plastic = Phase("plastic", MOVES - k * g, Event(x + 3 * g), {"back": -v})
+    pressed = Phase("pressed", MOVES - k * g + k * (x + 3 * g), Event(v), {"back": -v})
+    short = elastic, replace(plastic, ends=Event(v), name="turns")
+    longest, memory = (elastic, plastic, pressed), Memory(w, "elastic", x - g, "middle")
+    one = scene(longest, memory=(memory,), half_period=True)
+    two = scene(longest, short, memory=(memory,), half_period=True)
+    names = "elastic,plastic,pressed,elastic,plastic,pressed"
+    expected, found = (in_order(q, names).memory for q in (one, two))
+    assert found == expected
+    assert [q.value for q in found] == [x + g, x + g]
+    steps = tuple(map(Step, (0, 1, 2, 0, 1, 2)))
+    bases = (all_phases(ns.scene(q)).cell((0.4,) * 6) for q in (one, two))
+    expected, found = (in_cell(q, Order(steps)).memory for q in bases)
+    assert found == expected
