@@ -95,6 +95,22 @@ def ending(nodes: Sequence[Node], p: int, surface: int) -> int:
     return next((q for q in turn if nodes[q].equation == nodes[p].equation), NONE)
 
 
+def firsts(cell: Cell, nodes: Sequence[Node]) -> list[Step]:
+    """Return for each phase the first one that is the same, by whatever name.
+
+    Demands at their switches may differ: they tell what follows.
+    """
+    setters = {memory.phase for memory in cell.memory}
+    found: dict[tuple[object, ...], Step] = {}
+    steps = []
+    for node in nodes:
+        phase, own = node.phase, node.step if node.index in setters else None
+        law = own, node.equation, phase.speed, phase.jumps, node.event
+        demands = frozenset(form for _, form in phase.demands)
+        steps.append(found.setdefault((*law, demands), node.step))
+    return steps
+
+
 def followers(cell: Cell, nodes: Sequence[Node]) -> list[list[int]]:
     """Return the phases that the scene declares to follow each; see `Cell.followers`."""
     count = len(cell.phases)

@@ -21,6 +21,7 @@ from ..scenes.ordered import OrderedScene, of_all_phases
 from ..scenes.orders import Order, declared_order, half_if_mirrored, orders_of_motions
 from .machine import Machine
 from .machines import machine_of
+from .nodes import firsts
 from .record import Segment, Simulation
 from .repeats import NEAR, repeated, slowest_decay, whole
 from .simulate import cycle
@@ -230,6 +231,8 @@ def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
 def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     """Return the outcome of a motion that settles on another order of phases."""
     count = round(sum(q.s for q in again) / cycle(cell))
+    if Order(tuple(q.named for q in again)) not in orders_of_motions(cell):
+        again = _from_the_first(_each_by_one_name(cell, again))
     called = [phase.name for phase in cell.phases]
     names = ", ".join(q.named.called(called) for q in again)
     every = "each period" if count == 1 else f"every {count} periods"
@@ -242,6 +245,13 @@ def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     if other.order not in orders_of_motions(cell):
         names = f"another sequence of phases: {names}{within}"
     return Settled(None, f"a simulation settles on {names}", other)
+
+
+def _each_by_one_name(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...]:
+    """Return phases named by the first of those that are the same."""
+    machine = machine_of(cell)
+    first = firsts(cell, machine.nodes)
+    return tuple(replace(q, step=q.step and first[machine.number(q.step)]) for q in segments)
 
 
 def _no_order(cell: Cell, segments: tuple[Segment, ...]) -> str:

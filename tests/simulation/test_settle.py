@@ -274,6 +274,16 @@ def test_of_phases_with_one_equation_it_does_not_matter_which_is_followed() -> N
     assert orbit.stable
 
 
+def test_a_phase_that_is_declared_twice_is_one() -> None:
+    """A stop, and an order of two impacts; the mass hits it once in each period."""
+    law, impact, there = (1, 0.1, 1, 0, 1.0), (1, 0, 0, -0.1), {"there": (-1, 0, 0, 0.1)}
+    jumps = ((-0.6, 0),) * 2
+    case = made([law] * 2, [impact] * 2, omega=1.8, jumps=jumps, demands=(there,) * 2, k=0)()
+    orbit = ns.exact(case)
+    assert orbit.case.scene.motion == "phase 0"
+    assert orbit.durations == pytest.approx(ns.exact(ns.scene("impact")()).durations, rel=1e-13)
+
+
 @pytest.mark.parametrize(
     ("name", "phases"),
     [("backlash", "engaged,loose,-engaged,-loose"), ("dry-friction", "slide,-slide")],
