@@ -14,6 +14,7 @@ import nonsmooth as ns
 from nonsmooth.codegen.scene.orders import all_phases as phases_of
 from nonsmooth.codegen.scene.orders import in_order
 from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.solver.branch.orders.itinerary import Itinerary
 from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.in_order import cases_in_order, motion_of
 from nonsmooth.solver.scenes.loaded import UnknownScene
@@ -124,6 +125,12 @@ def test_basins_of_orbits_of_phases_of_both_motions() -> None:
     assert len(two.attractors) == 2
     assert two.index.tolist() == one.index.tolist()
     assert str(two) == str(one)
+
+
+@pytest.mark.parametrize("first", [(0, 3), (3, 2), (2, 1), (1, 0)])
+def test_a_map_calls_an_order_as_it_is_called_where_a_simulation_settles(first) -> None:
+    order = Order(tuple(map(Step, first)), half_period=True)
+    assert Itinerary(all_phases(TWO["springs"]), order).called == "right,free_2,mirrored"
 
 
 def test_phases_of_any_motion_can_be_asked_for() -> None:

@@ -56,17 +56,15 @@ class Itinerary:
 
     @cached_property
     def called(self) -> str:
-        """What a map calls it: the same, from whichever of its phases an order begins."""
+        """What a map calls it: by its first phase in the scene, as orbits that settle begin."""
         if self.endless or self.declared is not None:
             return self.motion or self._scene.motion
-        steps, half, names = self.order.steps, self.order.half_period, []
-        cell = self.base.cell(self._numbers)
-        for _ in range(len(steps) * (2 if half else 1)):
-            first, *others = steps
-            steps = (*others, (image(cell, first) or first) if half else first)
-            name = in_order(self.base, Order(steps, half)).motion
-            names.append((sum(step.mirrored for step in steps), name))
-        return min(names)[1]
+        half, cell = self.order.half_period, self.base.cell(self._numbers)
+        period = list(self.order.steps)
+        if half:
+            period += [image(cell, step) or step for step in period]
+        first = min(tuple(period[i:] + period[:i]) for i in range(len(period)))
+        return in_order(self.base, Order(first[: len(self.order.steps)], half)).motion
 
     def case(self, case: Case) -> Case:
         """Return a case of the same parameters whose motion has this order."""
