@@ -72,10 +72,13 @@ def all_phases(scene: LoadedScene) -> LoadedScene:
     return AllPhases(scene.module, scene.folder, scene.kept) if scene.motions else scene
 
 
-def of_all_phases(case: Case) -> Case:
-    """Return the case of the phases of all motions of its scene; itself if it has only one."""
-    scene = all_phases(case.scene)
-    if scene is case.scene:
+def of_all_phases(case: Case, scene: LoadedScene | None = None) -> Case:
+    """Return the case of the phases of all motions of its scene; itself if it has only one.
+
+    `scene` is the scene of these phases, if it is known.
+    """
+    scene = scene or all_phases(case.scene)
+    if scene == case.scene:
         return case
     odd = case.cycles % 2 == 1 or not scene.half_period
     return Case(scene, case.values, case.cycles if odd else 1)

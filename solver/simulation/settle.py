@@ -17,7 +17,7 @@ import numpy as np
 from ..kernels.start import RoughTimes
 from ..scenes.case import Case
 from ..scenes.cell import Cell
-from ..scenes.ordered import OrderedScene, of_all_phases
+from ..scenes.ordered import of_all_phases, placed
 from ..scenes.orders import Order, declared_order, half_if_mirrored, orders_of_motions
 from .machine import Machine
 from .machines import machine_of
@@ -107,22 +107,20 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
     >>> f"{found.times.angle:.6f}", found.words
     ('0.929644', 'a simulation settles on flight')
     """
-    base = of_all_phases(case) if isinstance(case.scene, OrderedScene) else case
+    base = case if case.scene.motion is None else of_all_phases(case, placed(case.scene)[0])
     machine = machine_of(base.cell)
     for settled in _followed_from(base, machine, machine.starts(0.0), phases):
-        yield _in_that(case, base.cell, settled)
+        yield settled if base is case else _in_that(case, base.cell, settled)
 
 
 def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
     """Return the outcome of a simulation, with times for the order of phases of a case."""
-    ordered = case.scene if isinstance(case.scene, OrderedScene) else None
-    declared = declared_order(base)
-    order = ordered.order if ordered else declared
+    _, order = placed(case.scene)
     other = settled.other.within(case.cycles) if settled.other else None
-    times = settled.times if order == declared else None
+    times = settled.times if order == declared_order(base) else None
     if other is not None and other.order == order:
         times = other.times
-    return replace(settled, times=times, other=None if ordered else settled.other)
+    return replace(settled, times=times, other=None)
 
 
 def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
@@ -199,19 +197,26 @@ def _settled_on(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     phases = whole(machine_of(cell), again)
     if not phases:
         return Settled(None, WITHOUT_SWITCHES)
-    phases = _from_the_first(phases)
+    phases = _from_the_first(cell, phases)
     return _declared(cell, phases) or _other(cell, phases)
 
 
-def _from_the_first(again: tuple[Segment, ...]) -> tuple[Segment, ...]:
-    """Return repeated phases, rotated to begin with the one that comes first in the scene.
+def _from_the_first(cell: Cell, again: tuple[Segment, ...]) -> tuple[Segment, ...]:
+    """Return repeated phases, rotated to begin as the motion that declares them.
 
-    If this leaves a choice, with the longest of these.
+    Else with the one that comes first in the scene; if this leaves a choice, with the longest.
     """
     rotations = [again[i:] + again[:i] for i in range(len(again))]
+    rotations = [each for each in rotations if _of_a_motion(cell, each)] or rotations
     first = min([q.named for q in each] for each in rotations)
     candidates = (each for each in rotations if [q.named for q in each] == first)
     return max(candidates, key=lambda each: each[0].s)
+
+
+def _of_a_motion(cell: Cell, again: tuple[Segment, ...]) -> bool:
+    """Whether one of several motions declares the order of repeated phases."""
+    order, motions = Order(tuple(q.named for q in again)), orders_of_motions(cell)
+    return order in motions or half_if_mirrored(cell, order) in motions
 
 
 def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
@@ -231,8 +236,8 @@ def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
 def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
     """Return the outcome of a motion that settles on another order of phases."""
     count = round(sum(q.s for q in again) / cycle(cell))
-    if Order(tuple(q.named for q in again)) not in orders_of_motions(cell):
-        again = _from_the_first(_each_by_one_name(cell, again))
+    if not _of_a_motion(cell, again):
+        again = _from_the_first(cell, _each_by_one_name(cell, again))
     called = [phase.name for phase in cell.phases]
     names = ", ".join(q.named.called(called) for q in again)
     every = "each period" if count == 1 else f"every {count} periods"
@@ -242,7 +247,9 @@ def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:
         what = f"phases that cannot be solved for: {names}{within}; {why}"
         return Settled(None, f"a simulation settles on {what}")
     other = _in_order(cell, again, count if cell.forced else 1)
-    if other.order not in orders_of_motions(cell):
+    if other.order in orders_of_motions(cell):
+        names = ", ".join(step.called(called) for step in other.order.steps)
+    else:
         names = f"another sequence of phases: {names}{within}"
     return Settled(None, f"a simulation settles on {names}", other)
 

@@ -17,9 +17,11 @@ from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, for
 from nonsmooth.solver.branch.orders.itinerary import Itinerary
 from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.in_order import cases_in_order, motion_of
+from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.scenes.loaded import UnknownScene
 from nonsmooth.solver.scenes.ordered import all_phases, declared_as, placed
 from nonsmooth.solver.scenes.orders import Order, Step, in_cell
+from nonsmooth.solver.simulation.settle import rough_times_by_simulation
 
 c, F, g, k, m, Omega = sp.symbols("c F g k m Omega", positive=True)
 w = sp.Symbol("w", real=True)
@@ -125,6 +127,31 @@ def test_basins_of_orbits_of_phases_of_both_motions() -> None:
     assert len(two.attractors) == 2
     assert two.index.tolist() == one.index.tolist()
     assert str(two) == str(one)
+
+
+def test_a_simulation_for_one_motion_has_the_phases_of_all() -> None:
+    """It settles on an order of all, or on a motion, from whichever phase that begins."""
+    with pytest.raises(
+        NoOrbit, match=r"settles on another sequence of phases: right, free_2, l"
+    ):
+        ns.exact(TWO["springs"](frequency=0.8).of_motion("to-right"))
+    (right, free), (left, back) = springs(MOVES, x)
+    motions = {
+        "round": (right, replace(back, name="back"), left, free),
+        "right": (right, free),
+        "left": (left, back),
+    }
+    parts = Scene("sides", "a mass between stops", PARAMETERS, motions=motions, frequency=Omega)
+    case = ns.scene(parts)(frequency=0.63, force=0.4)
+    assert all_phases(case.scene).orders[2] == ((2, False), (1, False))
+    found = {
+        each.scene.motion: times
+        for each in case.each_motion
+        for times in (q.times for q in rough_times_by_simulation(each)) if times
+    }  # fmt: skip
+    assert [*found] == ["left"]
+    durations = ns.exact(case.of_motion("left")).cell_durations
+    assert found["left"].durations == pytest.approx(durations, rel=1e-3)
 
 
 @pytest.mark.parametrize("first", [(0, 3), (3, 2), (2, 1), (1, 0)])
