@@ -127,12 +127,14 @@ def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
 
 def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
     """Return the sequences of phases that names may mean; all begin with the same phase."""
+    if not names:
+        raise UnknownScene("phases: got none, expected at least one")
     signed = any(name.startswith("-") for name in names)
     alternatives = [choices(base, name) for name in names]
     if base.half_period and not signed:
         alternatives = [[*plain, *(Step(p, True) for p, _ in plain)] for plain in alternatives]
     count = math.prod(map(len, alternatives))
-    if not 1 <= len(names) <= MOST_PHASES or count > MOST_WAYS:
+    if len(names) > MOST_PHASES or count > MOST_WAYS:
         got = f"{len(names)} that may be meant in {count} ways"
         raise UnknownScene(f"phases: got {got}, expected fewer, or a minus before the mirrored")
     return [steps for steps in product(*alternatives) if steps[0] == alternatives[0][0]]

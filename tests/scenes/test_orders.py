@@ -149,6 +149,7 @@ def test_an_order_of_an_odd_scene_may_have_even_cycles() -> None:
         ("backlash", "engaged,engaged", "one cannot follow another"),
         ("dry-friction", ",".join(["slide", "stop"] * 30), "may be meant in"),
         ("impact", "", "got '', expected one of flight"),
+        ("impact", "mirrored", "got none, expected at least one"),
     ],
 )
 def test_what_is_no_order_is_refused(scene, names, why) -> None:
