@@ -15,6 +15,8 @@ from nonsmooth.files import api
 @pytest.mark.parametrize("suffix", FORMS)
 @pytest.mark.parametrize("kind", [q for q in MAKERS if not q.startswith("modes")])
 def test_what_is_loaded_is_what_was_saved(kind: str, suffix: str, tmp_path: Path) -> None:
+    if kind.startswith("body"):  # whose exact orbit, found anew, may be another to rounding
+        thing.cache_clear()
     found, made = ns.load(saved(kind, tmp_path, suffix)), thing(kind)
     assert type(found) is type(made)
     assert found == made
