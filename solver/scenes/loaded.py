@@ -226,7 +226,10 @@ class LoadedScene:
         if not self.motions:
             raise UnknownScene(f"motion: got {name!r}, but {self.label} has only one")
         if hyphenated not in names:
-            raise UnknownScene(f"motion: got {name!r}, expected {one_of(name, self.motions)}")
+            order = "; for an order take `phases`" if "," in str(name) else ""
+            raise UnknownScene(
+                f"motion: got {name!r}, expected {one_of(name, self.motions)}{order}"
+            )
         folder = names[str(hyphenated)].replace("-", "_")
         content = None if self.kept is None else sealed.below(self.kept, folder)
         return load_folder(self.folder / folder, content)

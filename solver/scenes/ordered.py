@@ -72,16 +72,17 @@ def all_phases(scene: LoadedScene) -> LoadedScene:
     return AllPhases(scene.module, scene.folder, scene.kept) if scene.motions else scene
 
 
-def of_all_phases(case: Case, scene: LoadedScene | None = None) -> Case:
-    """Return the case of the phases of all motions of its scene; itself if it has only one.
+def of_all_phases(case: Case) -> Case:
+    """Return the case of the phases of all motions of a scene, of which a case may name one.
 
-    `scene` is the scene of these phases, if it is known.
+    Of a scene of one motion it is the case itself.
     """
-    scene = scene or all_phases(case.scene)
-    if scene == case.scene:
+    scene = case.scene
+    every = all_phases(scene) if scene.motion is None else placed(scene)[0]
+    if every == scene:
         return case
-    odd = case.cycles % 2 == 1 or not scene.half_period
-    return Case(scene, case.values, case.cycles if odd else 1)
+    odd = case.cycles % 2 == 1 or not every.half_period
+    return Case(every, case.values, case.cycles if odd else 1)
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)

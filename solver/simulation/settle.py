@@ -107,7 +107,7 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
     >>> f"{found.times.angle:.6f}", found.words
     ('0.929644', 'a simulation settles on flight')
     """
-    base = case if case.scene.motion is None else of_all_phases(case, placed(case.scene)[0])
+    base = of_all_phases(case)
     machine = machine_of(base.cell)
     for settled in _followed_from(base, machine, machine.starts(0.0), phases):
         yield settled if base is case else _in_that(case, base.cell, settled)

@@ -131,6 +131,8 @@ def test_basins_of_orbits_of_phases_of_both_motions() -> None:
 
 def test_a_simulation_for_one_motion_has_the_phases_of_all() -> None:
     """It settles on an order of all, or on a motion, from whichever phase that begins."""
+    case = TWO["springs"](frequency=0.8)
+    assert ns.simulate(case.of_motion("to-right")).phases == ns.simulate(case).phases
     with pytest.raises(
         NoOrbit, match=r"settles on another sequence of phases: right, free_2, l"
     ):
@@ -172,6 +174,10 @@ def test_phases_of_any_motion_can_be_asked_for() -> None:
         cases_in_order(case, "right,fre")
     with pytest.raises(UnknownScene, match="motion: got 'top'"):
         motion_of(case.scene, "top")
+    with pytest.raises(
+        UnknownScene, match="expected one of to-right, to-left; for an order take"
+    ):
+        case.of_motion("right,free_2")
     assert pickle.loads(pickle.dumps(every)) == every != case.scene
 
 
