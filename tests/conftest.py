@@ -20,7 +20,6 @@ from hypothesis import settings
 
 import nonsmooth as ns
 from nonsmooth.cli import main
-from nonsmooth.solver.kernels.compiling import Account
 
 # The same examples in every run: a change that fails is a change, not a throw of dice.
 settings.register_profile(
@@ -82,33 +81,6 @@ def one_core() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(os, "cpu_count", lambda: 1)
         yield
-
-
-@pytest.fixture(scope="session")
-def accounts() -> Iterator[list[Account]]:
-    """Return the accounts of all kernels, as they are made."""
-    made: list[Account] = []
-    begin = Account.__init__
-
-    def noted(self: Account, *given: Any) -> None:
-        begin(self, *given)
-        made.append(self)
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Account, "__init__", noted)
-        yield made
-
-
-@pytest.fixture(autouse=True)
-def nothing_spent(accounts: list[Account]) -> None:
-    """Let each test begin as a process does: compiled is what pays within one test.
-
-    Else all that ran before, and how busy the cores were, would decide it, and kernels would
-    be compiled for the last second of what they are needed for.
-    """
-    Account.total = 0.0
-    for account in accounts:
-        account.seconds, account._looked = 0.0, -1.0
 
 
 Outcome = tuple[int, str, str]
