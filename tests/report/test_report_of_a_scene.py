@@ -204,7 +204,7 @@ def test_a_page_on_an_order_that_is_not_declared(run, tmp_path: Path, monkeypatc
     )
     text = (target / "index.html").read_text("utf-8")
     order = "slide,stop,-slide,stop,mirrored"
-    assert f"The motion is <code>{order}</code>." in text
+    assert f"The motion is <code>{order}</code>; a minus stands for the mirror image" in text
     assert re.findall("<h4>(.*?)</h4>", text) == ["slide", "stop"]
     assert text.count("It begins at a switch of class C1: x&#39;&#39; is the first") == 2
     assert "slide_m" in text  # the equations are those of this order
