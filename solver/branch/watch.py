@@ -185,6 +185,8 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
     values[:, :] = nan
     extremes[:, 0], extremes[:, 1] = np.inf, -np.inf
     for p in range(count):
+        if len(extremes) == 0 and not (table[:, PHASE] == p).any():
+            continue
         equation, grid = phase_numbers(case, z, p), sampled(case, z, p, theta[p])
         x, v = z[2 * p] + gained[p, 0], z[2 * p + 1] + gained[p, 1]
         for row in range(len(table)):

@@ -1,12 +1,13 @@
 """A curve of events in two parameters: orbits on which a monitor vanishes.
 
 Beside those of a branch there is one more unknown, the second parameter, and one more equation,
-the monitor.  That of a fold is the determinant of the equations.
+the monitor.  That of a fold is the change of the first parameter along the tangent at a fixed
+second one, with the sign of the determinant of the equations.
 
 Plain Python, or compiled by numba with the equations along a branch.
 """
 
-from math import isfinite, nan, sqrt
+from math import copysign, nan, sqrt
 from typing import Any
 
 import numpy as np
@@ -27,12 +28,14 @@ from ..iteration.linear import factorise, solve_factorised
 from ..stability.cell_map import cell_map, end_rates
 from .filling import row_of
 
-#: Most corrections; most of them with a new Jacobian.
-MOST_CORRECTIONS, FRESH = 16, 3
+#: Most corrections; most of them with a new Jacobian; length of one that leads elsewhere.
+MOST_CORRECTIONS, FRESH, FARTHEST = 16, 3, 1.0
 
-#: Ratio of two corrections above which they are rounding; below which the Jacobian is kept,
-#: since a new one costs as much as twenty corrections.
+#: Ratio of two corrections above which they are rounding; below which the Jacobian is kept.
 FALLING, QUICK = 0.7, 0.1
+
+#: Times a square, the angle of an entry of a row that no border and no equation is like.
+SCATTERED = 1.1
 
 
 def monitors_at(plane: Any, table: Any, y: Vector) -> Vector:
@@ -55,8 +58,8 @@ def monitor_at(plane: Any, table: Any, monitor: int, y: Vector) -> float:
     if own == MEETS:
         border = np.zeros(n + 1)
         border[n] = 1.0
-        _, meets = tangent(along, y[: n + 1], border)
-        return float(meets)
+        direction, meets = tangent(along, y[: n + 1], border)
+        return float(copysign(direction[n], meets) if meets != 0 else meets)
     if own >= 0:
         through, _, _ = cell_map(case, y[:n], end_rates(case, y[:n]), 1.0)
         if not np.isfinite(through).all():
@@ -73,42 +76,43 @@ def monitor_at(plane: Any, table: Any, monitor: int, y: Vector) -> float:
     return float(values[row, monitor % 3])
 
 
-def residuals(plane: Any, table: Any, monitor: int, y: Vector, R: Vector) -> None:
-    """Fill R with the residual of the equations, the monitor and zero."""
-    n = len(y) - 2
-    residual_along(row_of(plane, y[n + 1]), y[:n], y[n], R[:n])
-    R[n], R[n + 1] = monitor_at(plane, table, monitor, y), 0.0
-
-
-def bordered_jacobian(
-    plane: Any, table: Any, monitor: int, y: Vector, border: Vector, J: Matrix
-) -> None:
-    """Fill J with the Jacobian of `residuals` in scaled coordinates, bordered by a row."""
+def surface_jacobian(plane: Any, y: Vector, J: Matrix) -> None:
+    """Fill the first rows of J with the derivatives of the equations in scaled coordinates."""
     n, weights = len(y) - 2, plane[4]
-    jacobian = np.empty((n, n + 1))
-    jacobian_along(row_of(plane, y[n + 1]), y[:n], y[n], jacobian)
-    J[:n, : n + 1] = jacobian
+    along_a = np.empty((n, n + 1))
+    jacobian_along(row_of(plane, y[n + 1]), y[:n], y[n], along_a)
     above, below = np.empty(n), np.empty(n)
     residual_along(row_of(plane, y[n + 1] + DIFFERENCE), y[:n], y[n], above)
     residual_along(row_of(plane, y[n + 1] - DIFFERENCE), y[:n], y[n], below)
     for i in range(n):
+        J[i, : n + 1] = along_a[i] / weights
         J[i, n + 1] = (above[i] - below[i]) / (2 * DIFFERENCE)
-    for j in range(n + 2):
-        weight = weights[j] if j < n else 1.0
-        ends = np.empty(2)
-        for k in range(2):
-            moved = y.copy()
-            moved[j] += (1 - 2 * k) * DIFFERENCE / weight
-            ends[k] = monitor_at(plane, table, monitor, moved)
-        for i in range(n):
-            J[i, j] /= weight
-        J[n, j], J[n + 1, j] = (ends[0] - ends[1]) / (2 * DIFFERENCE), border[j]
+
+
+def slope_of(
+    plane: Any, table: Any, monitor: int, y: Vector, units: Vector, direction: Vector
+) -> float:
+    """Return the derivative of a monitor in a direction, in scaled coordinates."""
+    step = DIFFERENCE * direction * units
+    above = monitor_at(plane, table, monitor, y + step)
+    below = monitor_at(plane, table, monitor, y - step)
+    return (above - below) / (2 * DIFFERENCE)
+
+
+def without(vector: Vector, unit: Vector) -> Vector:
+    """Return a vector without its part along a unit vector."""
+    rest: Vector = vector - np.dot(vector, unit) * unit
+    return rest
 
 
 def pinned(
     plane: Any, table: Any, monitor: int, y: Vector, border: Vector
 ) -> tuple[bool, Vector, Vector]:
     """Correct `y` to the curve, orthogonally to a border.
+
+    The orbits near by are a surface.  One correction leads to it, another along it, across the
+    curve, to where the monitor vanishes: so the monitor is differentiated in two directions
+    only, however many unknowns there are.
 
     Returned are whether that converges, the tangent there, and all monitors.
 
@@ -117,31 +121,42 @@ def pinned(
     """
     n = len(y)
     J, scales, rows = np.empty((n, n)), np.empty(n), np.empty(n, np.int64)
-    step, before, direction = np.empty(n), np.inf, np.zeros(n)
-    direction[n - 1] = 1.0
-    formed, fresh = 0, True
+    units, across, along = np.ones(n), np.zeros(n), np.zeros(n)
+    units[: n - 2] /= plane[4][: n - 2]
+    before, slope, formed, fresh = np.inf, nan, 0, True
     for turn in range(MOST_CORRECTIONS):
-        residuals(plane, table, monitor, y, step)
         if fresh:
             formed += 1
-            bordered_jacobian(plane, table, monitor, y, border, J)
+            surface_jacobian(plane, y, J)
+            J[n - 2], J[n - 1] = border, np.cos(SCATTERED * np.arange(n) ** 2)
             scale_rows(J, scales)
             if not factorise(J, rows):
-                return False, direction, direction
-        for i in range(n):
-            step[i] /= scales[i]
+                return False, across, across
+            across[:], across[n - 1] = 0.0, 1.0
+            solve_factorised(J, rows, across)
+            across /= sqrt(np.dot(across, across))
+            slope = slope_of(plane, table, monitor, y, units, across)
+        step = np.zeros(n)
+        residual_along(row_of(plane, y[n - 1]), y[: n - 2], y[n - 2], step[: n - 2])
+        step /= scales
         solve_factorised(J, rows, step)
-        size = 0.0
-        for j in range(n):
-            size += step[j] * step[j]
-        size = sqrt(size)
-        if not isfinite(size) or (turn > 0 and size > FALLING * before):
+        step = without(step, across)
+        if not np.dot(step, step) <= FARTHEST:
             break
-        for j in range(n):
-            y[j] -= step[j] / (plane[4][j] if j < n - 2 else 1.0)
+        step += monitor_at(plane, table, monitor, y - step * units) / slope * across
+        size = sqrt(np.dot(step, step))
+        if not size <= FARTHEST or (turn > 0 and size > FALLING * before):
+            break
+        y -= step * units
         fresh, before = formed < FRESH and size > QUICK * before, size
         if size <= ROUNDOFF:
             break
-    solve_factorised(J, rows, direction)
-    direction = direction / sqrt(np.dot(direction, direction))
-    return before <= SMALL, direction, monitors_at(plane, table, y)
+    if before > SMALL:
+        return False, across, across
+    along[n - 2] = 1.0
+    solve_factorised(J, rows, along)
+    along = without(along, across)
+    along /= sqrt(np.dot(along, along))
+    along -= slope_of(plane, table, monitor, y, units, along) / slope * across
+    along /= sqrt(np.dot(along, along))
+    return True, along, monitors_at(plane, table, y)

@@ -48,6 +48,18 @@ def test_a_curve_is_found_once_though_many_lines_cross_it() -> None:
     assert sorted(curve.kind for curve in found) == ["flip", "fold", "grazing"]
 
 
+def test_a_flip_goes_on_where_two_multipliers_are_minus_one() -> None:
+    """A torus bifurcation begins there: on the flip, which ends at the range on both sides."""
+    axes = {"frequency": (0.691, 0.6914, 2), "restitution": (0.77, 0.79, 2)}
+    flip, torus = ns.chart(ns.scene("chain-impact")(), axes).curves
+    assert (flip.kind, torus.kind) == ("flip", "torus")
+    assert flip.why_it_ended == ("the end of the range", "the end of the range")
+    assert np.allclose(flip.points[[0, -1], 1], [0.77, 0.79], rtol=1e-15)
+    frequency, restitution = torus.points[0]
+    on_flip = np.interp(restitution, flip.points[:, 1], flip.points[:, 0])
+    assert frequency == pytest.approx(on_flip, abs=1e-8)
+
+
 def test_orbits_that_change_much_between_points_are_followed() -> None:
     """A mass with dry friction that hardly moves: its stops become shorter like a root."""
     friction = ns.scene("dry-friction")(damping=0.02)

@@ -25,6 +25,9 @@ from ..walk import outside
 from .exponential import SHORT, exp_less_three_terms, exp_less_two_terms, norm
 from .ways import gained
 
+#: Modulus of a factor below which it counts beside the least one.
+NEXT = 0.1
+
 
 def case_at(along: Any, q: float) -> Any:
     """Return the arrays of the cell at a value of the parameter.
@@ -202,19 +205,27 @@ def cell_map(
 def multiplier_monitors(matrix: Matrix) -> tuple[float, float, float]:
     """Return the monitors of multipliers, as `walk.multiplier_monitors` does.
 
-    In place of products, which overflow for many multipliers, the least factor with the sign of
-    the product: of ``lambda_i + 1``, and of ``1 - lambda_i lambda_j``.
+    In place of products, which overflow for many multipliers, their least factors with the sign
+    of the product: of ``lambda_i + 1``, and of ``1 - lambda_i lambda_j``.
     """
     lasts = lasting(matrix)
     matrix = matrix[lasts][:, lasts]
     values = np.linalg.eigvals(matrix.astype(np.complex128)).astype(np.complex128)
     beneath = np.tril(np.ones(matrix.shape), -1).ravel() > 0
     pairs = np.outer(values, values).ravel()[beneath]
-    return least_factor(values + 1), outside(values), least_factor(1 - pairs)
+    return least_factors(values + 1), outside(values), least_factors(1 - pairs)
 
 
-def least_factor(factors: Complex) -> float:
-    """Return the least modulus of factors, with the sign of their (real) product."""
+def least_factors(factors: Complex) -> float:
+    """Return the least modulus of factors, with the sign of their (real) product.
+
+    Times that of the next over `NEXT`, if less than 1: where both vanish at once, each is a
+    square root of a smooth function, and their product is smooth.
+    """
+    if len(factors) == 0:
+        return 1.0
     sizes = np.abs(factors)
     turned = np.prod(factors / np.where(sizes > 0, sizes, 1.0))
-    return copysign(sizes.min(), turned.real)
+    least = np.sort(sizes)
+    beside = min(least[1] / NEXT, 1.0) if len(least) > 1 else 1.0
+    return float(copysign(least[0] * beside, turned.real))

@@ -264,8 +264,8 @@ MUTANTS = (
     Mutant(
         "multipliers of a body outside the unit circle are not counted",
         "solver/branch/bodies/equations.py",
-        "least_factor(values + 1), outside(values)",
-        "least_factor(values + 1), 0.0",
+        "least_factors(values + 1), outside(values)",
+        "least_factors(values + 1), 0.0",
         (f"{BRANCHES}::test_where_multipliers_leave_the_unit_circle",),
     ),
     Mutant(
