@@ -9,6 +9,7 @@ import numpy as np
 from .beside import Expansion
 from .branch.branch import BothWays, Bounds, go, lasts_at, orbits_at, start_of
 from .branch.orders.change import doubled
+from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
 from .exact import exact_orbit
 from .existence.known import are_one, known_orbits
@@ -114,12 +115,7 @@ def branch(
         expected = f"an orbit between {first:g} and {last:g}"
         raise ValueError(f"start: got one at {parameter} = {value:g}, expected {expected}")
     followed = BothWays(index_of(case, parameter))
-    try:
-        place = start_of(orbit, followed.index, bounds)
-    except ArithmeticError as error:
-        words = f"{orbit.case.scene.label}: no branch can be followed from the orbit at"
-        why = str(error) or "its equations are singular, to rounding"
-        raise NoOrbit(f"{words} {parameter} = {value:g}: {why}", False, ()) from None
+    place = _place(orbit, parameter, bounds)
     try:
         go(followed, place, progress=progress)
     except KeyboardInterrupt:
@@ -168,8 +164,8 @@ def branches(
         if not results:
             raise
         raise _interrupted(results) from None
-    if not results:
-        _start(case, parameter, bounds)
+    if not results:  # why there is none
+        _place(_start(case, parameter, bounds), parameter, bounds)
     return results
 
 
@@ -294,6 +290,17 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> Start:
         raise errors[0]
     words = f"{case.scene.label}: no orbit was found from which a branch could be followed"
     raise NoOrbit(words, False, tuple(tried))
+
+
+def _place(orbit: Start, parameter: str, bounds: Bounds) -> tuple[Piece, Place]:
+    """Return where a branch begins; refuse an orbit that is not isolated."""
+    try:
+        return start_of(orbit, index_of(orbit.case, parameter), bounds)
+    except ArithmeticError as error:
+        words = f"{orbit.case.scene.label}: no branch can be followed from the orbit at"
+        at = f"{parameter} = {orbit.case.values[parameter]:g}"
+        why = str(error) or "its equations are singular, to rounding"
+        raise NoOrbit(f"{words} {at}: {why}", False, ()) from None
 
 
 def _result(case: Case, parameter: str, followed: BothWays, how: Expansion) -> Branch:

@@ -100,7 +100,7 @@ def start_of(
     Raises
     ------
     NoStepError
-        If its equations are singular.
+        If its equations are singular: at a value there are orbits without end.
     """
     case, course = orbit.case, course_of(orbit.case)
     if isinstance(orbit, WithoutSwitches):
@@ -126,6 +126,8 @@ def start_of(
     except NoStepError:  # the branch may turn there
         border = piece.singular_vectors(y)[-1]
         place = piece.place(piece.corrected(y, border), border)
+        if abs(place.y[-1] - y[-1]) > ASIDE:  # another one: this orbit is not isolated
+            raise NoStepError from None
     piece.place(place.y, -place.tangent)  # so it can be followed both ways
     return piece, place
 

@@ -22,7 +22,8 @@ from ..bodies.part import parts_of
 from ..iteration.many import converged
 from ..scenes.methods import about
 from . import linking
-from .compiling import Account, rebuilt
+from .account import Account
+from .compiling import rebuilt
 from .family import Family
 from .kernel import Kernel
 from .start import RoughTimes

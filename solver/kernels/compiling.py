@@ -1,93 +1,22 @@
 """Functions rebuilt over another namespace: as plain Python, or compiled by numba.
 
-Which of the two is quicker depends on how often a kernel is used, which is not known in
-advance.  So a kernel begins in plain Python, and is compiled, or loaded from numba's cache,
-once it has taken about as long as that takes.  The total is then at most about twice that of
-the better choice.  Both give the same bits.
+Both give the same bits; `Account` says which is to be used.
 
 The cache is a convenience.  If it cannot be read or written (disk full, file damaged), or
 others could have written to it, kernels are compiled for this process only, and a
 `CacheWarning` says so.
 """
 
-import os
-import sys
-import time
 import types
 import warnings
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from ..scenes.sealed import NotPrivate
 
-#: Up to this order a kernel begins as plain Python; beyond, one solve takes as long as loading.
-PLAIN_ORDER = 48
-
-#: Seconds to load numba and a first kernel from its cache, to load a further one, and to
-#: compile most kernels.
-START, LOAD, COMPILE = 0.5, 0.05, 8.0
-
-
 #: Most bytes of bytecode of a function without arrays of its own that is inlined: passing a
 #: dozen arrays takes as long as its body.
 SHORT = 1200
-
-
-class Account:
-    """The time a kernel has taken in plain Python in this process; whether compiling it pays.
-
-    Parameters
-    ----------
-    file, name : str
-        File and name, with a fingerprint, of the function that is looked for in numba's cache.
-    compiling : float
-        Seconds that compiling the kernel takes.
-    """
-
-    #: Seconds that all kernels have taken.
-    total = 0.0
-
-    def __init__(self, file: str, name: str, compiling: float = COMPILE) -> None:
-        self.seconds, self._compiling = 0.0, compiling
-        self.is_compiled = False
-        self._file, self._name = file, name
-        self._cached, self._looked = False, -1.0
-
-    @contextmanager
-    def spending(self) -> Iterator[None]:
-        """Count the processor time of a ``with`` block, which does not depend on other load."""
-        begin = time.thread_time()
-        try:
-            yield
-        finally:
-            spent = time.thread_time() - begin
-            self.seconds += spent
-            Account.total += spent
-
-    def pays(self) -> bool:
-        """Return whether the next use should be by the compiled kernel."""
-        if self.is_compiled:
-            return True
-        if self.seconds < LOAD * self._compiling / COMPILE or Account.total < LOAD:
-            return False
-        if not self.is_cached():
-            return self.seconds >= self._compiling
-        return "numba" in sys.modules or Account.total >= START
-
-    def is_cached(self) -> bool:
-        """Return whether numba's cache seems to have the compiled kernel, by names of files.
-
-        As another process may have compiled it, the cache is looked at again when the time
-        spent has doubled.
-        """
-        if not self._cached and self.seconds > 2 * self._looked:
-            folder, pattern = os.environ.get("NUMBA_CACHE_DIR"), f"*.{self._name}-*.nbc"
-            files = (Path(self._file).parent / "__pycache__").glob(pattern)
-            self._cached = any(Path(folder).rglob(pattern) if folder else files)
-            self._looked = self.seconds
-        return self._cached
 
 
 def rebuilt(function: Any, namespace: dict[str, Any], counted: bool = True) -> Any:

@@ -10,7 +10,8 @@ from typing import Any
 
 from ..scenes.methods import module_of
 from . import compiling
-from .compiling import COMPILE, Account, Entries, rebuilt
+from .account import COMPILE, Account
+from .compiling import Entries, rebuilt
 from .kernel import Kernel, for_others
 from .linking import Make, text_of
 

@@ -13,7 +13,8 @@ from typing import Any
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import Iteration
 from ..scenes.case import Case
-from .compiling import Account, inner, rebuilt
+from .account import Account
+from .compiling import inner, rebuilt
 from .linking import Make
 
 

@@ -10,7 +10,7 @@ from ...nearest import one_of
 from ..scenes.loaded import SCENE, LoadedScene, UnknownScene
 from ..scenes.methods import about, generic, module_of, with_class_one, without_class
 from ..scenes.methods import methods as methods  # noqa: PLC0414  (its own, too)
-from .compiling import PLAIN_ORDER, Account
+from .account import PLAIN_ORDER, Account
 
 if TYPE_CHECKING:
     from .kernel import Kernel

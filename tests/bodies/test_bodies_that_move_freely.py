@@ -15,7 +15,7 @@ from nonsmooth.solver import chart, in_order
 from nonsmooth.solver import exact as solver_exact
 from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.charts import curves, lines
-from nonsmooth.solver.kernels.compiling import Account
+from nonsmooth.solver.kernels.account import Account
 from nonsmooth.solver.scenes.ordered import of_all_phases
 from nonsmooth.solver.simulation.settle import from_several_states
 

@@ -330,6 +330,18 @@ def test_a_motion_without_switches_may_be_neutral_at_the_start() -> None:
     assert {row.motion for row in found} == {"only separated"}
 
 
+def test_motions_that_are_not_isolated_are_not_followed() -> None:
+    """In a play without a spring a mass that moves less may be anywhere."""
+    play = ns.scene("backlash")(frequency=1.0)
+    (found,) = ns.branches(play, "force", 0.48, 1.2)
+    assert found["value"].min() == pytest.approx(np.sqrt(1.01), rel=1e-14)
+    for follow in (ns.branch, ns.branches):
+        with pytest.raises(NoOrbit, match=r"force = 0.8: its equations are singular"):
+            follow(play, "force", 0.48, 0.9)
+    motions = ns.chart(play, {"frequency": (0.9, 1.0, 2), "force": (0.48, 1.2, 2)}).motion
+    assert motions == [[None] * 2, ["engaged,loose,mirrored"] * 2]
+
+
 def test_a_motion_without_switches_is_followed_to_where_it_touches() -> None:
     """Near resonance, between all values at which orbits are looked for."""
     spring = ns.scene("clearance")(force=0.05, damping=0.05, gap=0.8, contact_stiffness=0.3)

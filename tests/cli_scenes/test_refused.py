@@ -120,6 +120,9 @@ REFUSED = {
         ("impact --log", "--log: expected beside --vary"),
         ("-o x", "-o: got x, expected a name that ends in one of .json, .csv, .nc"),
     ],
+    "branch dry-friction": [
+        ("--vary mu_s=0.1:0.2", "nonsmooth: parameters: got mu_s = 0.1, mu_k = 0.3, expected"),
+    ],
     "sweep impact --vary": [
         ("gap=0.1", "expected NAME=FROM:TO:POINTS, such as restitution=0.3:0.6:20"),
         ("gape=0:1:3", "unknown parameter 'gape', expected one of mass"),

@@ -15,7 +15,8 @@ from nonsmooth.solver.branch import walk
 from nonsmooth.solver.branch.bodies.course import BODIES
 from nonsmooth.solver.charts import block
 from nonsmooth.solver.kernels import bodies, polynomials, series
-from nonsmooth.solver.kernels.compiling import Account, rebuilt
+from nonsmooth.solver.kernels.account import Account
+from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.family import Family
 from nonsmooth.solver.solve import solve_case
 

@@ -1,5 +1,6 @@
 """Kernels are compiled once they have cost about as much as that takes, and not before."""
 
+import itertools
 import time
 from pathlib import Path
 from types import SimpleNamespace
@@ -7,8 +8,10 @@ from types import SimpleNamespace
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.kernels import compiling, polynomials, registry
-from nonsmooth.solver.kernels.compiling import COMPILE, LOAD, START, Account, Entries
+from nonsmooth.solver.kernels import account as accounts
+from nonsmooth.solver.kernels import polynomials, registry
+from nonsmooth.solver.kernels.account import COMPILE, LOAD, PLAIN_ORDER, START, Account
+from nonsmooth.solver.kernels.compiling import Entries
 from nonsmooth.solver.kernels.family import Family
 from nonsmooth.solver.kernels.kernel import for_others
 
@@ -18,7 +21,7 @@ def account(tmp_path: Path, monkeypatch) -> Account:
     """Return an account of nothing, of a kernel that is not cached; numba is not loaded."""
     monkeypatch.setattr(Account, "total", 0.0)
     monkeypatch.delenv("NUMBA_CACHE_DIR", raising=False)
-    monkeypatch.setattr(compiling, "sys", SimpleNamespace(modules={}))
+    monkeypatch.setattr(accounts, "sys", SimpleNamespace(modules={}))
     return Account(str(tmp_path / "driver.py"), "iterate_0123")
 
 
@@ -37,6 +40,39 @@ def test_a_kernel_that_is_not_cached_is_compiled_for_what_that_costs(account) ->
         assert account.pays() is expected
 
 
+def test_what_earlier_processes_have_taken_counts(account, tmp_path: Path, monkeypatch) -> None:
+    later = [Account(str(tmp_path / "driver.py"), "iterate_0123") for _ in range(4)]
+    clock = itertools.count(step=0.3 * COMPILE)
+    monkeypatch.setattr(time, "thread_time", lambda: next(clock))
+    for before, process in enumerate([account, *later]):
+        with process.spending():
+            pass
+        assert process.pays() is (before >= 3)
+    other = Account(str(tmp_path / "driver.py"), "iterate_4567")
+    with other.spending():
+        pass
+    assert not other.pays()
+
+
+@pytest.mark.parametrize("content", [None, "", "much", "nan"])
+def test_what_was_kept_may_be_gone_or_damaged(account, tmp_path: Path, content) -> None:
+    if content is not None:
+        (tmp_path / "__pycache__").mkdir()
+        (tmp_path / "__pycache__" / "driver.iterate_0123.spent").write_text(content)
+    for seconds, expected in ((0.9 * COMPILE, False), (1.1 * COMPILE, True)):
+        spend(account, seconds)
+        assert account.pays() is expected
+
+
+def test_nothing_is_kept_where_nothing_can_be_written(account, tmp_path: Path) -> None:
+    (tmp_path / "__pycache__").touch()  # no folder
+    spend(account, 0.9 * COMPILE)
+    with account.spending():
+        pass
+    assert not account.pays()
+    assert (tmp_path / "__pycache__").is_file()
+
+
 def test_a_cached_kernel_is_loaded_when_all_have_cost_as_much_as_numba(
     account, tmp_path: Path
 ) -> None:
@@ -53,7 +89,7 @@ def test_with_numba_there_a_cached_kernel_needs_little(
     account, tmp_path: Path, monkeypatch
 ) -> None:
     cached(account, tmp_path)
-    monkeypatch.setattr(compiling, "sys", SimpleNamespace(modules={"numba": None}))
+    monkeypatch.setattr(accounts, "sys", SimpleNamespace(modules={"numba": None}))
     spend(account, 2 * LOAD)
     assert account.pays()
 
@@ -119,7 +155,7 @@ def test_a_scene_is_counted_and_switches(monkeypatch) -> None:
         for is_cached in (False, True):
             monkeypatch.setattr(of_scene, "is_cached", lambda found=is_cached: found)
             registry.quicker_kernel(case.scene, "ck-tau", None, order)
-        assert len(used) == (order > compiling.PLAIN_ORDER)
+        assert len(used) == (order > PLAIN_ORDER)
     Family.kernel.cache_clear()
 
 

@@ -17,6 +17,9 @@ PLURAL = {"method": "methods", "order": "orders"}
 #: Most starts of a search that are told without ``--verbose``: as many first as last ones.
 MOST_TOLD = 4
 
+#: What is wrong on the whole: there is no such option.
+NO_OPTIONS = "body", "parameters"
+
 
 class Problem(Exception):  # noqa: N818  (its text is what the user reads)
     """What `main` prints on stderr.
@@ -108,9 +111,9 @@ def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[Non
 
         if isinstance(error, BodyError):  # what is wrong shows in its phases, not in an option
             raise Problem(f"body: {error}") from error
-        if str(error).startswith("body: "):
-            raise Problem(str(error)) from error
         name, _, message = str(error).partition(": ")
+        if name in NO_OPTIONS:
+            raise Problem(str(error)) from error
         raise Problem(f"--{names.get(name, name).replace('_', '-')}: {message}") from error
 
 
