@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import product
 
-from ..nearest import one_of
+from ..nearest import at_length, one_of
 from .existence.known import known
 from .kernels.start import RoughTimes
 from .scenes.case import Case
@@ -33,7 +33,8 @@ def cases_in_order(
     case : Case
         Its scene and parameters.
     phases : str or sequence of str
-        Names of phases, in a text joined by commas.  ``-`` before a name means the mirror image
+        Names of phases, in a text joined by commas; ``3 x`` before one of several that follow
+        each other.  ``-`` before a name means the mirror image
         of the phase, ``mirrored`` at the end that they are half a period.  Without any minus,
         each may be the phase or its mirror image.
     cycles : int, optional
@@ -55,8 +56,7 @@ def cases_in_order(
     ['slide,stop,mirrored', 'slide,-stop']
     """
     base = all_phases(case.scene)
-    names = phases.split(",") if isinstance(phases, str) else list(phases)
-    names = [name.strip() for name in names]
+    names = at_length(phases) if isinstance(phases, str) else [q.strip() for q in phases]
     half = names[-1:] == [MIRRORED]
     machine = machine_of(Case(base, case.values).cell)
     ways = _ways(base, names[:-1] if half else names)

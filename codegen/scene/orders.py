@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from ...nearest import numbered, one_of
+from ...nearest import at_length, numbered, one_of
 from .data import Memory, Phase, SceneData, a, forcing, v, with_values, x
 from .error import SceneError
 from .scene import Scene
@@ -104,7 +104,8 @@ def in_order(scene: Scene, phases: str) -> Scene:
     """
     every = all_phases(scene)
     base = every.scene
-    names = [name.strip() for name in phases.split(",")]
+    names = at_length(phases)
+    motion = ",".join(names)
     half = names[-1:] == [MIRRORED]
     names = names[:-1] if half else names
     steps = [(name.removeprefix("-"), name.startswith("-")) for name in names]
@@ -133,7 +134,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
             phases=tuple(ordered),
             half_period=half,
             memory=memory,
-            motion=phases,
+            motion=motion,
             guess=(),
             start={},
         )

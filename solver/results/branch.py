@@ -3,6 +3,7 @@
 from dataclasses import asdict, dataclass
 from typing import Any, ClassVar
 
+from ...nearest import in_short
 from .family import Family
 
 
@@ -72,7 +73,7 @@ class Branch(Family):
     def __str__(self) -> str:
         lines = [f"{'event':>14}  {self.parameter:>20}  motion"] if self.events else []
         for event in self.events:
-            words = event.motion, event.phase and f"in {event.phase}"
+            words = in_short(event.motion or ""), event.phase and f"in {event.phase}"
             where = ", ".join(filter(None, words))
             lines += [f"{event.kind:>14}  {event.parameter:20.15g}  {where}".rstrip()]
         values = self["value"]

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ...nearest import in_short
 from ..arrays import Integers, Matrix, Vector
 from ..presentation.table import Table, Tabular
 from ..scenes.case import Case
@@ -148,9 +149,9 @@ class Chart(Tabular):
             mask = self.index == (i if i < len(self.motions) else -1)
             count = int(mask.sum())
             stable = int((mask & (self.stable == 1)).sum())
-            lines += [f"{count:8}  {stable:8}  {name}"] if count else []
+            lines += [f"{count:8}  {stable:8}  {in_short(name)}"] if count else []
         first, second = self.parameters
         for curve in self.curves:
             ends = (f"({a:.6g}, {b:.6g})" for a, b in curve.points[[0, -1]])
-            lines.append(f"{curve.kind} of {curve.motion}: {' to '.join(ends)}")
+            lines.append(f"{curve.kind} of {in_short(curve.motion)}: {' to '.join(ends)}")
         return "\n".join([*lines, f"({first}, {second})"] if self.curves else lines)

@@ -1,8 +1,12 @@
-"""Names: what an unknown one may have been meant for, and numbers behind those that repeat."""
+"""Names: what an unknown one may have been meant for, and those that occur several times."""
 
+import re
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
-from itertools import count
+from itertools import count, groupby
+
+#: Letters of joined names that are printed in full.
+LONG = 32
 
 
 def nearest(name: object, known: Iterable[str]) -> list[str]:
@@ -55,4 +59,33 @@ def numbered(names: Sequence[str]) -> list[str]:
         others = (f"{name}_{n}" for n in count(names[: i + 1].count(name)))
         free = (other for other in others if other not in names and other not in found)
         found.append(next(free) if name in names[:i] else name)
+    return found
+
+
+def in_short(names: str) -> str:
+    """Return names that commas join; of many, how often each follows itself.
+
+    Examples
+    --------
+    >>> in_short("slide,stop"), in_short("flight," * 7 + "rest,flight")
+    ('slide,stop', '7 x flight, rest, flight')
+    """
+    if len(names) <= LONG:
+        return names
+    runs = ((name, len([*run])) for name, run in groupby(names.split(",")))
+    return ", ".join(f"{times} x {name}" if times > 1 else name for name, times in runs)
+
+
+def at_length(names: str) -> list[str]:
+    """Return the names of a text in which they are joined by commas, in full or `in_short`.
+
+    Examples
+    --------
+    >>> at_length("slide,stop"), at_length("3 x flight, rest")
+    (['slide', 'stop'], ['flight', 'flight', 'flight', 'rest'])
+    """
+    found: list[str] = []
+    for name in map(str.strip, names.split(",")):
+        times = re.fullmatch(r"(\d{1,3}) x (.+)", name)
+        found += [times[2]] * int(times[1]) if times else [name]
     return found

@@ -128,6 +128,8 @@ def test_an_order_is_asked_for_with_or_without_signs() -> None:
     assert one.durations == pytest.approx(solve_case(FOUR_STOPS, order=24).durations)
     (signed,) = cases_in_order(FOUR_STOPS, "slide, stop, -slide, stop, mirrored")
     assert signed.scene == one.case.scene
+    (several,) = cases_in_order(ns.scene("impact")(), "3 x flight, flight")
+    assert several.scene.motion == "flight,flight,flight,flight"
 
 
 def test_an_order_of_an_odd_scene_may_have_even_cycles() -> None:

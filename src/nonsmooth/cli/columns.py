@@ -4,7 +4,6 @@ import math
 import re
 import textwrap
 from collections.abc import Iterable
-from itertools import groupby
 from typing import TypeAlias
 
 import click
@@ -23,9 +22,6 @@ WIDEST = 500
 
 #: How many of the last columns stand in a table of their own, where all do not fit.
 BEHIND = 4
-
-#: Letters of joined names that are printed in full.
-LONG = 32
 
 #: Part of the largest number of its kind up to which one is printed as 0.
 ROUNDING = 1e-14
@@ -117,20 +113,6 @@ def filled_parameters(words: str) -> str:
     """Return parameters in lines, broken between parameters only."""
     glued = re.sub(r"(?<![,;]) ", "\0", words)
     return textwrap.fill(glued, WIDTH).replace("\0", " ")
-
-
-def in_short(names: str) -> str:
-    """Return names that commas join; of many, how often each follows itself.
-
-    Examples
-    --------
-    >>> in_short("slide,stop"), in_short("flight," * 7 + "rest,flight")
-    ('slide,stop', '7 x flight, rest, flight')
-    """
-    if len(names) <= LONG:
-        return names
-    runs = ((name, len([*run])) for name, run in groupby(names.split(",")))
-    return ", ".join(f"{count} x {name}" if count > 1 else name for name, count in runs)
 
 
 def certain_digits(value: float, error: float) -> str:

@@ -8,6 +8,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from ..nearest import in_short
 from .axes import axes_or_new, described, panel, say_below
 from .families import name_of
 from .simulations import BASINS, NONE
@@ -43,7 +44,7 @@ def draw(result: "Chart", ax: Any = None) -> Any:
     )  # fmt: skip
     _hatch(axes, result)
     handles = [
-        Patch(facecolor=colors[i + 1], edgecolor="0.3", label=f"{i + 1}: {name}")
+        Patch(facecolor=colors[i + 1], edgecolor="0.3", label=f"{i + 1}: {in_short(name)}")
         for i, name in enumerate(result.motions)
     ]
     for i in range(count):

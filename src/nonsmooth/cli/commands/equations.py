@@ -51,8 +51,9 @@ Examples:
 @click.option(
     "--phases",
     metavar="NAMES",
-    help="The sequence of phases: names joined by commas, a minus before a mirror image; ends "
-    "in 'mirrored' if it is half a period; as solve prints it.",
+    help="The sequence of phases: names joined by commas, a minus before a mirror image, "
+    "'3 x ' before one that occurs three times in a row; ends in 'mirrored' if it is half a "
+    "period; as solve prints it.",
 )
 @click.option(
     "--format", "format_", type=click.Choice(FORMATS),

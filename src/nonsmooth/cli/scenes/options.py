@@ -43,7 +43,8 @@ def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
     if scene.motions:
         words = f"{', '.join(scene.motions)}; without it, the one that occurs."
         options.append(option(f"--motion {PREFIX}motion", str, words))
-    words = "The sequence of phases: names joined by commas, a minus before a mirror image."
+    words = "The sequence of phases: names joined by commas, a minus before a mirror image, "
+    words += "'3 x ' before one that occurs three times in a row."
     options.append(option(f"--phases {PREFIX}phases", str, words, metavar="NAMES"))
     if scene.frequency is not None:
         odd = ", an odd number" if scene.half_period else ""

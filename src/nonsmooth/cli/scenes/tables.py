@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from nonsmooth.nearest import in_short
 from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.existence.known import others
 from nonsmooth.solver.existence.reasons import WithoutSwitches
@@ -25,7 +26,6 @@ from ..columns import (
     Piece,
     certain_digits,
     filled,
-    in_short,
     table_of,
     without_rounding,
 )
