@@ -1,6 +1,6 @@
 """Branches of a case along a parameter: that of one orbit, or all that are found."""
 
-from collections.abc import Callable, Container, Iterable, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -8,10 +8,11 @@ import numpy as np
 
 from .beside import Expansion
 from .branch.branch import BothWays, Bounds, go, lasts_at, orbits_at, start_of
+from .branch.follow import TWICE
 from .branch.orders.change import doubled
 from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
-from .exact import exact_orbit
+from .exact import exact_orbit, settled_orbits
 from .existence.known import are_one, known_orbits
 from .existence.reasons import WithoutSwitches, motions_without_switches
 from .no_orbit import NoOrbit
@@ -191,8 +192,15 @@ def every_way(
             go(followed, start_of(start, followed.index, bounds), progress=progress)
             earlier.append(followed)
             yield followed
+    met = [value for followed in earlier for value in _met(followed)]
     for followed in earlier:
-        yield from _doubled(followed, beside, progress)
+        yield from _doubled(followed, beside, met, progress)
+
+
+def _met(followed: BothWays) -> list[float]:
+    """Return the values at which a branch meets that of orbits of half the period."""
+    events, ends = followed.events(), zip((0, -1), followed.why(), strict=True)
+    return [events[i].value for i, why in ends if why == TWICE]
 
 
 def _starts(
@@ -224,9 +232,14 @@ def _motions_for_ever(case: Case) -> list[WithoutSwitches]:
     return motions_without_switches(case) if any_order else []
 
 
-def _doubled(parent: BothWays, kinds: Container[str], progress: Seen) -> Iterator[BothWays]:
-    """Yield the branches at the flips of another, and where symmetry is lost on it."""
-    met: list[float] = []
+def _doubled(
+    parent: BothWays, kinds: Container[str], met: Sequence[float], progress: Seen
+) -> Iterator[BothWays]:
+    """Yield the branches at the flips of another, and where symmetry is lost on it.
+
+    Left out are the values `met` at which they are known.
+    """
+    met = list(met)
     for event in parent.events():
         begins = event.kind in kinds and event.monitor >= 0
         if not begins or any(abs(end - event.value) <= NEAR * abs(end) for end in met):
@@ -242,11 +255,16 @@ def _doubled(parent: BothWays, kinds: Container[str], progress: Seen) -> Iterato
 
 
 def _orbits(case: Case) -> list[ExactOrbit]:
-    """Return the orbits of a case that are known, or one that is found; none if it is none."""
+    """Return the orbits of a case that are known, and others on which simulations settle.
+
+    Else one that is found; none if it is none.
+    """
     orbits: list[ExactOrbit] = []
     with suppress(NoOrbit, ParameterError):
         orbits = known_orbits(case)
-        orbits = orbits or [exact_orbit(case)]
+        for orbit in settled_orbits(case) if orbits else [exact_orbit(case)]:
+            if not any(are_one(orbit, other) for other in orbits):
+                orbits.append(orbit)
     return orbits
 
 

@@ -86,9 +86,19 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
     if case.scene.motion is not None:
         return None
     starts = chain(_declared(case) if beside else (), settled_cases(case))
-    trials = (from_times(each, times) for each, times in starts)
-    orbits = (_by_half(q) for q in trials if q.outcome.converged and q.admissible)
+    orbits = _admissible(starts)
     return next((q for q in orbits if not beside or is_stable(q) is not False), None)
+
+
+def settled_orbits(case: Case) -> Iterator[ExactOrbit]:
+    """Yield the exact orbits on which simulations settle; none if the case names a motion."""
+    return _admissible(settled_cases(case) if case.scene.motion is None else ())
+
+
+def _admissible(starts: Iterable[tuple[Case, RoughTimes]]) -> Iterator[ExactOrbit]:
+    """Yield the exact orbits to which times lead, those that are admissible."""
+    trials = (from_times(case, times) for case, times in starts)
+    return (_by_half(q) for q in trials if q.outcome.converged and q.admissible)
 
 
 def _by_half(orbit: ExactOrbit) -> ExactOrbit:

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from contextlib import suppress
 
-from .exact import ExactOrbit, exact_orbit, settled_orbit
-from .existence.known import known, known_orbits, stable_first
+from .exact import ExactOrbit, exact_orbit, settled_orbit, settled_orbits
+from .existence.known import are_one, known, known_orbits, stable_first
 from .in_order import cases_in_order
 from .kernels import registry
 from .no_orbit import NoOrbit, of_any_motion
@@ -142,10 +142,11 @@ def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
 def orbits_of(
     case: Case, method: str = FIRST, order: int = 10, functions: int | None = None
 ) -> list[Orbit]:
-    """Return all admissible orbits that are found of the motions of a case, stable ones first.
+    """Return all admissible orbits that are found of a case, stable ones first.
 
     If the exact orbits of a motion can be listed, they are those next to these; else it is the
-    one that `solve_case` finds.
+    one that `solve_case` finds.  Others are those on which simulations settle, in any order of
+    phases.
 
     Parameters
     ----------
@@ -168,6 +169,12 @@ def orbits_of(
         if not known(motion).complete and not of_motion:
             with suppress(NoOrbit):
                 orbits.append(search.run())
+    for exact in settled_orbits(case):
+        others = [orbit.exact for orbit in orbits if orbit.exact is not None]
+        lowest = registry.kernel(exact.case.scene, method, functions).lowest
+        if order >= lowest and not any(are_one(exact, other) for other in others):
+            orbit = orbit_beside(exact, method, order, functions)
+            orbits += [] if orbit is None else [orbit]
     if not orbits:
         return [solve_case(case, method, order, functions)]
     return sorted(orbits, key=lambda orbit: orbit.stable is not True)

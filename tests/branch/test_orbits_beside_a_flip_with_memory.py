@@ -115,7 +115,10 @@ def test_the_same_as_a_body_has_the_same_flips() -> None:
 
 @pytest.mark.parametrize(("friction", "ends"), [(FRICTION, (1.9, 2.12)), (0.05, (1.1, 1.12))])
 def test_where_symmetry_is_lost_there_is_an_orbit_without_it(friction, ends) -> None:
-    """At the second the parameter hardly changes along it: it is found further aside."""
+    """At the second the parameter hardly changes along it: it is found further aside.
+
+    A simulation may settle on the first: it is a branch once.
+    """
     case = ns.scene(scene(half=True))(restitution=0.8, friction=friction)
     found = ns.branches(case, "frequency", *ends)
     lost = [

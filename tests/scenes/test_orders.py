@@ -18,7 +18,7 @@ from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import UnknownScene
 from nonsmooth.solver.scenes.ordered import in_order
 from nonsmooth.solver.scenes.orders import Order, Step, in_cell
-from nonsmooth.solver.solve import solve_case, with_order
+from nonsmooth.solver.solve import orbits_of, solve_case, with_order
 
 MOTIONS = [motion for name in NAMES for motion in registry.load(name).each_motion]
 ODD = [motion for motion in MOTIONS if motion.half_period]
@@ -117,6 +117,16 @@ def test_every_method_has_the_orbit(method) -> None:
         orbit = solve_case(case, method, 20)
         assert orbit.errors.times < 1e-3
         assert orbit.estimate.times == pytest.approx(orbit.errors.times, rel=0.5)
+
+
+def test_all_orbits_have_those_of_other_orders_on_which_simulations_settle() -> None:
+    case = ns.scene("impact-two-sided")(frequency=0.6)
+    orbits = orbits_of(case, order=12)
+    assert [orbit.stable for orbit in orbits] == [True, True]
+    assert [orbit.case.scene.motion for orbit in orbits] == [None, "crossing,crossing,mirrored"]
+    others = orbits_of(orbits[1].case, order=12)  # of this order alone: an unstable one, too
+    assert [orbit.stable for orbit in others] == [True, False]
+    assert others[0].durations == pytest.approx(orbits[1].durations, rel=1e-12)
 
 
 def test_an_order_is_asked_for_with_or_without_signs() -> None:
