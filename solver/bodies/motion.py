@@ -18,8 +18,8 @@ from .poles import Forms
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
-#: The place of the acceleration of the first contact in a form.
-ACCELERATION = places(1)[3][0]
+#: The places of the first contact's displacement, velocity and acceleration in a form.
+VARIABLES = 0, 1, places(1)[3][0]
 
 
 def signals(
@@ -47,19 +47,16 @@ def derivative(
 
     Beyond the second, derivatives of the forces are by their laws as well.
     """
-    u = np.asarray(u, dtype=float)
-    if number <= 2:
-        variables = signals(cell, order, times, p, u, functions)
-        return np.asarray(variables[(0, 1, ACCELERATION)[number]])
+    u, variable = np.asarray(u, dtype=float), VARIABLES[min(number, 2)]
     if order:
         layout_ = _layout(cell, order, functions)
-        forms = layout_.phases[p].seen.some([ACCELERATION])
+        forms = layout_.phases[p].seen.some([variable])
         for _ in range(number - 2):
             forms = layout_.poles.rate(forms, layout_.phases[p].force)
         return np.asarray(_seen(cell, order, functions, times, p, u, forms)[0])
     part = parts_of(cell)[p]
     generator = generator_of(part, cell.omega)
-    row = part.lawful.rows[ACCELERATION]
+    row = part.lawful.rows[variable]
     for _ in range(number - 2):
         row = row @ generator
     return np.asarray(exact.seen(cell, times, p, u, row[None])[0])

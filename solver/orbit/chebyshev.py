@@ -111,8 +111,19 @@ def candidates(parts: list[Piece]) -> Vector:
 
 
 def extremes(function: Function, size: float = 0.0) -> tuple[float, float]:
-    """Return the least and the largest value of a function on [0, 1]; see `pieces`."""
-    values = function(candidates(pieces(function, size)))
+    """Return the least and the largest value of a function on [0, 1]; see `pieces`.
+
+    Critical points are looked for in those pieces that may have values beyond their ends.
+    """
+    parts = pieces(function, size)
+    coefficients = np.array([part.coefficients for part in parts])
+    mean, waves = coefficients[:, 0], coefficients[:, 1:]
+    signs = (-1.0) ** np.arange(1, coefficients.shape[1])
+    ends = mean + np.array([waves.sum(axis=1), (waves * signs).sum(axis=1)])
+    reach = np.abs(waves).sum(axis=1)
+    beyond = (mean + reach >= ends.max()) | (mean - reach <= ends.min())
+    inside = candidates([parts[i] for i in np.flatnonzero(beyond)])
+    values = function(np.append(inside, 1.0))
     return float(values.min()), float(values.max())
 
 

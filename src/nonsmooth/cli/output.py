@@ -37,6 +37,9 @@ PICTURES = (".png", ".svg", ".pdf")
 #: The libraries of a report, as `require` takes them.
 FOR_REPORTS = (("matplotlib", "report", "report"), ("jinja2", "report", "report"))
 
+#: Returns the document of a result; called once it is wanted.
+Text = Callable[[], str]
+
 #: The page of a folder, and what a page that we made has in it.
 PAGE, MARK = "index.html", 'name="generator" content="nonsmooth '
 
@@ -132,14 +135,14 @@ class Destination:
     json: bool
     file: Path | None
 
-    def show(self, text: str, pieces: "Iterable[Piece]") -> None:
+    def show(self, text: Text, pieces: "Iterable[Piece]") -> None:
         """Print the document of a result or, not for ``--json``, its tables and texts.
 
         If the reader of stdout has left, the file is written all the same.
         """
         try:
             if self.json:
-                click.echo(text, nl=False)
+                click.echo(text(), nl=False)
             else:
                 from .columns import print_pieces
 
@@ -150,7 +153,7 @@ class Destination:
             discard_stdout()
 
     def write(
-        self, text: str, figure: "Callable[[], Figure]", data: "Savable" = None,
+        self, text: Text, figure: "Callable[[], Figure]", data: "Savable" = None,
         rows: "Callable[[], Sequence[Mapping[str, Any]]] | None" = None,
     ) -> None:  # fmt: skip
         """Write a result, if a file is named: its document, its data, else a picture of it.
@@ -162,7 +165,7 @@ class Destination:
             return
         suffix = self.file.suffix.lower()
         if suffix == ".json":
-            write_text(self.file, text)
+            write_text(self.file, text())
         elif suffix not in DATA:
             from nonsmooth.plots.axes import write
 

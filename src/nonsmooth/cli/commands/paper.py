@@ -86,7 +86,7 @@ def roots(given: Given[Any], to: Destination, order: int) -> int:
         isolated = solutions(belt, order)
     rows = [asdict(root) | {"admissible": not root.violations} for root in isolated]
     document = {"order": order, "parameters": dict(belt.values), "roots": rows}
-    to.show(f"{as_json(document)}\n", _pieces(belt, isolated))
+    to.show(lambda: f"{as_json(document)}\n", _pieces(belt, isolated))
     return 0 if any(not root.violations for root in isolated) else 1
 
 

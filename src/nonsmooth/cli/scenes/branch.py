@@ -1,5 +1,6 @@
 """``nonsmooth branch SCENE`` and ``map``: orbits followed along a parameter, and over two."""
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -62,9 +63,14 @@ def run(
         return 1
     except Interrupted as error:
         interrupt, followed = error, error.done
-    document = {"branches": [q.as_dict() for q in followed]} if every else followed[0].as_dict()
-    used = [followed[0].method] if followed[0].order else []
-    text = documents.text(case, {"scene": case.scene.name} | document, used)
+
+    @cache
+    def text() -> str:
+        several = {"branches": [q.as_dict() for q in followed]}
+        document = several if every else followed[0].as_dict()
+        used = [followed[0].method] if followed[0].order else []
+        return documents.text(case, {"scene": case.scene.name} | document, used)
+
     to.show(text, tables.branches(case, along, followed))
     below = _diagrams(case, followed[0], along) if attractors and not interrupt else ()
     to.write(text, drawn_by("families.branch_figure", followed, below), followed[0])
@@ -122,7 +128,7 @@ def chart(
             result = maps.chart(case, axes, executor, advance)
         except Interrupted as error:
             interrupt, result = error, error.done
-    text = documents.text(case, result.as_dict(), ())
+    text = cache(lambda: documents.text(case, result.as_dict(), ()))
     to.show(text, (caption(case, first, second), str(result)))
     to.write(text, drawn_by("charts.chart_figure", result), result)
     if interrupt:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import asdict
+from functools import cache
 
 import click
 
@@ -69,7 +70,7 @@ def run(
             advance(f"{kept.extreme or 'given'}: {shown(case.scene, kept.method)}{order}")
 
         measured = digits.measure(case, numbers, names, done)
-    text = documents.text(case, _document(case, measured), names)
+    text = cache(lambda: documents.text(case, _document(case, measured), names))
     to.show(text, _pieces(case, measured))
     to.write(text, drawn_by("digits.digits_figure", case, measured))
     return 1 if any(kept.lost for kept in measured) else 0

@@ -1,5 +1,6 @@
 """``nonsmooth simulate SCENE``: the motion from a given state, from event to event."""
 
+from functools import cache
 from typing import Any
 
 from nonsmooth.files import csv_rows, documents
@@ -55,7 +56,7 @@ def _one(given: Given[LoadedScene], to: Destination, state: str | None, **option
     case = case_from(given)
     with as_problems(), busy(f"simulating {case.scene.name}"):
         motion = simulate(case, start, **options)
-    text = documents.text(motion.case, motion.as_dict(), ())
+    text = cache(lambda: documents.text(motion.case, motion.as_dict(), ()))
     to.show(text, tables.transient(case, motion))
     if motion.ended:
         say(f"ended at t = {motion.time:.6g} s: {motion.ended}")
@@ -118,7 +119,7 @@ def _written(
     to: Destination, result: Basins | Diagram, said: tuple[str, str], figure: str
 ) -> int:
     """Show what is found of many motions, write it; the exit status."""
-    text = documents.text(result.case, result.as_dict(), ())
+    text = cache(lambda: documents.text(result.case, result.as_dict(), ()))
     to.show(text, said)
     to.write(text, drawn_by(figure, result), rows=lambda: result.table().rows())
     return 0

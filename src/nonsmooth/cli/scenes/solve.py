@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import asdict
+from functools import cache
 from typing import Any
 
 from nonsmooth.files import documents
@@ -18,7 +19,7 @@ from nonsmooth.solver.trade.choice import Choice
 from ..about import Given
 from ..aliases import check_one_method, split_methods
 from ..columns import Piece
-from ..output import Destination, drawn_by
+from ..output import Destination, Text, drawn_by
 from ..problems import Problem, as_problems, say, tell
 from ..progress import busy
 from ..values import parse_seconds
@@ -48,11 +49,14 @@ def _solve(case: Case, wanted: Wanted, to: Destination) -> int:
     case = orbits[0].case if orbits else case
     exact = exact_near(case, orbits)
     order = wanted.size if wanted.tol is None else None
-    parts = documents.of_each(case, outcomes, order, wanted.functions, exact)
-    if choice is not None:
-        parts[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
-    document = parts[0] if wanted.one else {"scene": case.scene.name, "orbits": parts}
-    text = documents.text(case, document, outcomes)
+
+    @cache
+    def text() -> str:
+        parts = documents.of_each(case, outcomes, order, wanted.functions, exact)
+        if choice is not None:
+            parts[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
+        document = parts[0] if wanted.one else {"scene": case.scene.name, "orbits": parts}
+        return documents.text(case, document, outcomes)
 
     def pieces() -> Iterator[Piece]:
         yield captions.caption(case)
@@ -85,11 +89,16 @@ def _list_every(case: Case, wanted: Wanted, to: Destination) -> int:
     except NoOrbit as finding:
         tell(finding)
     still = motions_without_switches(case)
-    entries = [*(orbit.as_dict() for orbit in orbits), *(motion.as_dict() for motion in still)]
-    text = documents.text(case, {"scene": case.scene.name, "orbits": entries}, [method])
+
+    @cache
+    def text() -> str:
+        entries = [orbit.as_dict() for orbit in orbits]
+        entries += [motion.as_dict() for motion in still]
+        return documents.text(case, {"scene": case.scene.name, "orbits": entries}, [method])
+
     to.show(text, tables.every(case, orbits, still))
     _write(to, text, orbits, None)
-    return 0 if entries else 1
+    return 0 if orbits or still else 1
 
 
 def _why(choice: Choice, wanted: Wanted) -> str:
@@ -103,7 +112,7 @@ def _why(choice: Choice, wanted: Wanted) -> str:
     return f"{chosen.method}, N = {choice.orbit.order}: {words}\nwithin {wanted.tol:g}."
 
 
-def _write(to: Destination, text: str, orbits: list[Orbit], exact: ExactOrbit | None) -> None:
+def _write(to: Destination, text: Text, orbits: list[Orbit], exact: ExactOrbit | None) -> None:
     """Write orbits, if a file is named: without any only their document."""
     if to.file is not None and to.file.suffix.lower() != ".json" and not orbits:
         say(f"no orbit, {to.file} is not written")

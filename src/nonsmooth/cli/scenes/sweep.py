@@ -3,6 +3,7 @@
 And ``nonsmooth tradeoff SCENE``: error against time, measured on this machine.
 """
 
+from functools import cache
 from typing import Any
 
 from nonsmooth.files import documents
@@ -55,7 +56,7 @@ def _over_orders(
                 advance(f"{shown(case.scene, row.method)}, N = {row.order}")
 
             result = sweep(case, names, numbers, functions=functions, progress=done)
-    text = documents.text(result.case, result.as_dict(), result.rates())
+    text = cache(lambda: documents.text(result.case, result.as_dict(), result.rates()))
     to.show(text, tables.convergence(result))
     tell_none([row.message for row in result.rows])
     to.write(text, drawn_by("sweeps.convergence_figure", result), result)
@@ -87,7 +88,7 @@ def _along(
             )  # fmt: skip
         except Interrupted as error:
             interrupt, result = error, error.done
-    text = documents.text(case, result.as_dict(), [result.method])
+    text = cache(lambda: documents.text(case, result.as_dict(), [result.method]))
     to.show(text, tables.family(result))
     tell_none([row.message for row in result.rows])
     to.write(text, drawn_by("families.family_figure", result, vary.log), result)
@@ -106,7 +107,7 @@ def trade(given: Given[LoadedScene], to: Destination) -> int:
         tell(finding)
         return 1
     methods = dict.fromkeys(method for method, _ in measured.ways(case))
-    text = documents.text(case, result.as_dict(), methods)
+    text = cache(lambda: documents.text(case, result.as_dict(), methods))
     to.show(text, tables.trade(result))
     to.write(text, drawn_by("sweeps.trade_figure", result))
     return 0

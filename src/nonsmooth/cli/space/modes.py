@@ -1,6 +1,7 @@
 """``nonsmooth modes STRUCTURE``: modes by one expansion or all, or along a parameter."""
 
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -87,7 +88,7 @@ def _once(
     kind, data = (
         ("modes", expansions) if points is None else ("shapes", [expansions[0].shapes(points)])
     )
-    text = sealed(documents.document_of(kind, data))
+    text = cache(lambda: sealed(documents.document_of(kind, data)))
     to.show(text, mode_tables.modes(expansions))
     for expansion in expansions:
         if expansion.structure.kind == "compliance" and expansion.method == "ritz":
@@ -157,8 +158,12 @@ def _along(
         for label, structure in zip(labels, structures, strict=True):
             expansions += compute(structure, options)
             advance(f"{vary.flag} = {label}")
-    document = documents.of_varied_modes(vary.flag, values, expansions)
-    text = documents.text_of_modes(attached.structure, document)
+
+    @cache
+    def text() -> str:
+        document = documents.of_varied_modes(vary.flag, values, expansions)
+        return documents.text_of_modes(attached.structure, document)
+
     how = f"{expansions[0].shown}, N = {expansions[0].order}"
     how = how if options["tol"] is None else "to a tolerance"
     to.show(text, mode_tables.family(attached, vary, how, labels, expansions))

@@ -1,5 +1,7 @@
 """``nonsmooth sweep STRUCTURE``: how fast the expansions of one mode converge."""
 
+from functools import cache
+
 from nonsmooth.files import csv_rows, documents
 from nonsmooth.solver.space.convergence import Line, convergence
 from nonsmooth.solver.space.expansions.methods import METHODS, check_forced, generic_method
@@ -26,7 +28,7 @@ def run(
     number = 1 if mode is None else mode
     with as_problems(PLURAL), progress(len(lines) * len(numbers), "sweep") as done:
         study = convergence(attached, lines, numbers, number, done)
-    text = documents.text_of_modes(attached.structure, study.as_dict())
+    text = cache(lambda: documents.text_of_modes(attached.structure, study.as_dict()))
     to.show(text, mode_tables.convergence(study, number))
     figure = drawn_by("modes.convergence_figure", study)
     to.write(text, figure, rows=lambda: csv_rows.of_convergence(study))
