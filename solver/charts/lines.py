@@ -8,9 +8,9 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from ..branch.branch import BothWays
 from ..branch.course import Course, Row
+from ..branch.every_way import every_way
 from ..branch.locate import OF_THE_ORBIT, Found
 from ..branch.piece import Piece, Place
-from ..branches import every_way
 from ..scenes.case import Case
 from .plane import Bounds
 

@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 import nonsmooth as ns
 from nonsmooth.plots.families import branch_figure
 from nonsmooth.solver import branches
-from nonsmooth.solver.branch import branch, piece, walk, watch
+from nonsmooth.solver.branch import branch, every_way, piece, walk, watch
 from nonsmooth.solver.branch.along import Interval
 from nonsmooth.solver.branch.bodies import watched, ways
 from nonsmooth.solver.branch.bodies.arrays import UNKNOWN
@@ -537,7 +537,7 @@ def test_orbits_at_a_value_are_those_of_the_branch() -> None:
     value = 1.2
     orbits = [
         orbit
-        for orbit in branches._orbits(SPRING.with_value("frequency", value))
+        for orbit in every_way._orbits(SPRING.with_value("frequency", value))
         if orbit.case.scene.motion is None
     ]
     family = ns.family(SPRING, "frequency", [0.9, value, 1.3], order=20)

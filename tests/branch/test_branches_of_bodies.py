@@ -15,6 +15,7 @@ import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver import branches, chart
 from nonsmooth.solver.bodies.exact import evaluated
+from nonsmooth.solver.branch import every_way
 from nonsmooth.solver.branch.bodies import course, equations
 from nonsmooth.solver.branch.bodies.arrays import case_of
 from nonsmooth.solver.branch.branch import BothWays, course_of, go, start_of
@@ -43,7 +44,8 @@ RANGES = {
 @pytest.fixture(autouse=True)
 def few_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     """Follow branches by longer steps: events are located to rounding all the same."""
-    monkeypatch.setattr(branches, "go", partial(go, part=PART))
+    for module in (branches, every_way):
+        monkeypatch.setattr(module, "go", partial(go, part=PART))
 
 
 @cache

@@ -16,6 +16,7 @@ from nonsmooth.codegen.scenes import clearance as springs
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.solver import branches
 from nonsmooth.solver.bodies.motion import signals
+from nonsmooth.solver.branch import every_way
 from nonsmooth.solver.branch.branch import go
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
@@ -30,7 +31,8 @@ PART = 1 / 8
 @pytest.fixture(autouse=True)
 def few_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     """Follow branches by longer steps: events are located to rounding all the same."""
-    monkeypatch.setattr(branches, "go", partial(go, part=PART))
+    for module in (branches, every_way):
+        monkeypatch.setattr(module, "go", partial(go, part=PART))
 
 
 def test_a_branch_ends_where_there_is_no_such_body() -> None:
