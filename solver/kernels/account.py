@@ -64,7 +64,10 @@ class Account:
         if self.seconds < LOAD * self._compiling / COMPILE or Account.total < LOAD:
             return False
         if not self.is_cached():
-            return self.seconds + self.before >= self._compiling
+            enough = self.seconds + self.before >= self._compiling
+            if enough:  # where compiled kernels cannot be kept, the next process begins anew
+                self._forget()
+            return enough
         return "numba" in sys.modules or Account.total >= START
 
     def is_cached(self) -> bool:
@@ -98,6 +101,11 @@ class Account:
         with suppress(OSError), owned():
             self._file_of_seconds.parent.mkdir(parents=True, exist_ok=True)
             self._file_of_seconds.write_text(repr(self.before + self.seconds))
+
+    def _forget(self) -> None:
+        """Keep no seconds for later processes."""
+        with suppress(OSError):
+            self._file_of_seconds.unlink()
 
     @property
     def _file_of_seconds(self) -> Path:
