@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ...nearest import one_of
+from ...nearest import in_short, one_of
 from . import sealed
 from .sealed import Kept
 
@@ -136,7 +136,7 @@ class LoadedScene:
     @property
     def label(self) -> str:
         """Its name, and that of its motion if there are several."""
-        return f"{self.name}, {self.motion}" if self.motion else self.name
+        return f"{self.name}, {in_short(self.motion)}" if self.motion else self.name
 
     @property
     def title(self) -> str:

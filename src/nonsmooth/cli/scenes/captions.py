@@ -72,7 +72,7 @@ def estimated(scene: LoadedScene) -> str:
 def legend(scene: LoadedScene, durations: bool = True) -> str:
     """Return what the headings of a table of orbits mean."""
     jumps, forced = derivative(scene), scene.frequency is not None
-    phases = ", ".join(scene.phases)
+    phases = ", ".join(dict.fromkeys(scene.phases))
     one = f"T: period, one phase ({phases})" + " and its mirror image" * scene.half_period
     parts = ["T: period" if len(scene.phases) > 1 else one]
     if forced:
