@@ -34,6 +34,9 @@ MOST_CORRECTIONS, FRESH, FARTHEST = 16, 3, 1.0
 #: Ratio of two corrections above which they are rounding; below which the Jacobian is kept.
 FALLING, QUICK = 0.7, 0.1
 
+#: Most of the change of a duration in a difference, as a part of it.
+SHORTER = 1.0 / 64
+
 #: Times a square, the angle of an entry of a row that no border and no equation is like.
 SCATTERED = 1.1
 
@@ -92,11 +95,19 @@ def surface_jacobian(plane: Any, y: Vector, J: Matrix) -> None:
 def slope_of(
     plane: Any, table: Any, monitor: int, y: Vector, units: Vector, direction: Vector
 ) -> float:
-    """Return the derivative of a monitor in a direction, in scaled coordinates."""
-    step = DIFFERENCE * direction * units
+    """Return the derivative of a monitor in a direction, in scaled coordinates.
+
+    By a difference in which no phase becomes much shorter.
+    """
+    first, h = plane[5], DIFFERENCE
+    for i in range(first, first + len(plane[0])):
+        change = abs(direction[i] * units[i])
+        if y[i] > 0 and h * change > SHORTER * y[i]:
+            h = SHORTER * y[i] / change
+    step = h * direction * units
     above = monitor_at(plane, table, monitor, y + step)
     below = monitor_at(plane, table, monitor, y - step)
-    return (above - below) / (2 * DIFFERENCE)
+    return (above - below) / (2 * h)
 
 
 def without(vector: Vector, unit: Vector) -> Vector:

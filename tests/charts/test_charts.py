@@ -14,7 +14,7 @@ from shown import ROOT
 import nonsmooth as ns
 from nonsmooth.plots.charts import chart_figure
 from nonsmooth.solver import chart as charts
-from nonsmooth.solver.charts import block, lines
+from nonsmooth.solver.charts import block, following, lines
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.results.interrupted import Interrupted
 
@@ -58,6 +58,16 @@ def test_a_flip_goes_on_where_two_multipliers_are_minus_one() -> None:
     frequency, restitution = torus.points[0]
     on_flip = np.interp(restitution, flip.points[:, 1], flip.points[:, 0])
     assert frequency == pytest.approx(on_flip, abs=1e-8)
+
+
+@pytest.mark.parametrize("duration", [0.3, 1e-6, 1e-12])
+def test_monitors_are_differentiated_within_the_shortest_phase(monkeypatch, duration) -> None:
+    """Of impacts that become ever faster: a longer difference ends before it begins."""
+    monkeypatch.setattr(following, "monitor_at", lambda plane, table, which, y: y[0] ** 0.5)
+    plane = np.zeros(1), None, None, None, None, 0
+    y, along = np.array([duration, 1.0, 0.0]), np.array([1.0, 0.0, 0.0])
+    slope = following.slope_of(plane, None, 0, y, np.ones(3), along)
+    assert slope == pytest.approx(0.5 / duration**0.5, rel=1e-4)
 
 
 def test_orbits_that_change_much_between_points_are_followed() -> None:
