@@ -5,7 +5,6 @@ from dataclasses import replace
 from .beside import Expansion
 from .branch.branch import BothWays, Bounds, go, start_of
 from .branch.every_way import Seen, Start, every_way, motions_for_ever
-from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
 from .exact import exact_orbit
 from .existence.reasons import WithoutSwitches
@@ -100,7 +99,12 @@ def branch(
         expected = f"an orbit between {first:g} and {last:g}"
         raise ValueError(f"start: got one at {parameter} = {value:g}, expected {expected}")
     followed = BothWays(index_of(case, parameter))
-    place = _place(orbit, parameter, bounds)
+    try:
+        place = start_of(orbit, followed.index, bounds)
+    except ArithmeticError as error:
+        words = f"{orbit.case.scene.label}: no branch can be followed from the orbit at"
+        why = str(error) or "its equations are singular, to rounding"
+        raise NoOrbit(f"{words} {parameter} = {value:g}: {why}", False, ()) from None
     try:
         go(followed, place, progress=progress)
     except KeyboardInterrupt:
@@ -125,7 +129,7 @@ def branches(
 
     So coexisting orbits and isolated branches are found, and motions without switches that no
     orbit becomes.  Branches of doubled period are followed from each flip, and unsymmetric ones
-    from where symmetry is lost.
+    from where symmetry is lost.  Where none is found there, the branch is that of `branch`.
 
     Parameters
     ----------
@@ -149,9 +153,13 @@ def branches(
         if not results:
             raise
         raise _interrupted(results) from None
-    if not results:  # why there is none
-        _place(_start(case, parameter, bounds), parameter, bounds)
-    return results
+    if results:
+        return results
+    alone = branch(
+        case, parameter, first, last,
+        method=method, order=order, functions=functions, progress=progress,
+    )  # fmt: skip
+    return [alone]
 
 
 def _interrupted(done: list[Branch]) -> Interrupted:
@@ -198,17 +206,6 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> Start:
         raise errors[0]
     words = f"{case.scene.label}: no orbit was found from which a branch could be followed"
     raise NoOrbit(words, False, tuple(tried))
-
-
-def _place(orbit: Start, parameter: str, bounds: Bounds) -> tuple[Piece, Place]:
-    """Return where a branch begins; refuse an orbit that is not isolated."""
-    try:
-        return start_of(orbit, index_of(orbit.case, parameter), bounds)
-    except ArithmeticError as error:
-        words = f"{orbit.case.scene.label}: no branch can be followed from the orbit at"
-        at = f"{parameter} = {orbit.case.values[parameter]:g}"
-        why = str(error) or "its equations are singular, to rounding"
-        raise NoOrbit(f"{words} {at}: {why}", False, ()) from None
 
 
 def _result(case: Case, parameter: str, followed: BothWays, how: Expansion) -> Branch:

@@ -55,10 +55,9 @@ def derivative(
             forms = layout_.poles.rate(forms, layout_.phases[p].force)
         return np.asarray(_seen(cell, order, functions, times, p, u, forms)[0])
     part = parts_of(cell)[p]
-    generator = generator_of(part, cell.omega)
     row = part.lawful.rows[variable]
     for _ in range(number - 2):
-        row = row @ generator
+        row = row @ generator_of(part, cell.omega)
     return np.asarray(exact.seen(cell, times, p, u, row[None])[0])
 
 

@@ -342,6 +342,13 @@ def test_motions_that_are_not_isolated_are_not_followed() -> None:
     assert motions == [[None] * 2, ["engaged,loose,mirrored"] * 2]
 
 
+def test_where_no_value_has_an_orbit_all_branches_are_that_of_the_case(monkeypatch) -> None:
+    """Its own value may have the only one."""
+    monkeypatch.setattr(branches, "every_way", lambda *arguments: iter(()))
+    (found,) = ns.branches(SPRING, "frequency", 0.9, 1.1)
+    assert found == ns.branch(SPRING, "frequency", 0.9, 1.1)
+
+
 def test_a_motion_without_switches_is_followed_to_where_it_touches() -> None:
     """Near resonance, between all values at which orbits are looked for."""
     spring = ns.scene("clearance")(force=0.05, damping=0.05, gap=0.8, contact_stiffness=0.3)
