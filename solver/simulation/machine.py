@@ -32,7 +32,6 @@ from .steps import (
     switches,
     zeros,
 )
-from .steps.bounds import window
 from .steps.clock import Clock
 from .steps.column import AT_SWITCH, NONE, ROW
 from .steps.rules import Rules, rules_of
@@ -101,9 +100,9 @@ class Machine:
         """Return the node of a phase, given as a step of an order."""
         return self.nodes[self.number(one)]
 
-    def window(self, p: int) -> float:
-        """Return a time of less than one oscillation in a phase; it may be infinite."""
-        return window(self.nodes[p].phase, self.cell.omega)
+    def effort(self, p: int, state: AnyState, s: float) -> float:
+        """Return the cost of following a phase for a time: see `run.effort`."""
+        return run.effort(self.by("window_of", p, state), s)
 
     def ending(self, p: int, surface: int) -> Step | None:
         """Return the phase whose event ends phase p on a surface; None if there is none."""
@@ -124,10 +123,12 @@ class Machine:
         start = self.begin(state)
         return None if start is None else self.nodes[start[0]]
 
-    def step(self, p: int, state: AnyState, clock: Clock, most: float) -> Passed:
-        """Follow a phase from its start, for a time `most` at most, and cross its switch."""
-        arguments = self.rules, p, with_arrays(state), clock, most
-        passed: Passed = self.family.call(run.__name__, "step", *arguments)
+    def several(
+        self, p: int, state: AnyState, clock: Clock, until: float, most: float
+    ) -> list[Passed]:
+        """Follow a motion from the start of a phase through some phases: see `run.several`."""
+        arguments = self.rules, p, with_arrays(state), clock, until, most
+        passed: list[Passed] = self.family.call(run.__name__, "several", *arguments)
         return passed
 
     def strobed(self, start: AnyState, cycles: int) -> tuple[Matrix, Integers, int]:

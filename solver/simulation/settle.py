@@ -26,7 +26,7 @@ from .record import Segment, Simulation
 from .repeats import NEAR, repeated, slowest_decay, whole
 from .simulate import cycle
 from .steps.state import AnyState
-from .walk import Place, effort, walk
+from .walk import Place, walk
 
 #: Cycles that are simulated at first, and the factor by which they grow until they suffice.
 CYCLES, LONGER = 100, 1.5
@@ -151,17 +151,15 @@ def _followed_from(
 def _followed(case: Case, start: AnyState, most: int) -> Settled:
     """Return the outcome of a simulation; cached, as all methods ask for the same."""
     machine, cell = machine_of(case.cell), case.cell
-    place, cycles, spent = Place.first(machine, start), float(CYCLES), 0.0
+    place, cycles, left = Place.first(machine, start), float(CYCLES), float(most)
     segments: list[Segment] = []
     while True:
         # the phase that was cut off is followed anew, to its end
-        followed, place, ended = walk(case, machine, place, cycles * cycle(cell), most - spent)
+        followed, place, ended, left = walk(case, machine, place, cycles * cycle(cell), left)
         segments = segments[:-1] + followed
         motion = Simulation(case, tuple(segments), ended)
-        windows = (machine.window(machine.number(q.began)) for q in followed)
-        spent += sum(effort(window, q.s) for window, q in zip(windows, followed, strict=True))
         outcome = settled(cell, motion)
-        enough = outcome.conclusive or motion.ended or spent > most - 1
+        enough = outcome.conclusive or motion.ended or left < 1
         if enough or cycles >= _lasting(cell):
             return outcome
         cycles = min(LONGER * cycles, _lasting(cell))

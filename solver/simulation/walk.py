@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from ..scenes.case import Case
 from .machine import Machine
@@ -14,10 +13,7 @@ from .steps.column import NONE
 from .steps.locate import BEYOND, EVENT, LOST, MOST_STEPS
 from .steps.run import MOST_PHASES
 from .steps.state import AnyState
-from .steps.step import CHATTERS, REFUSED
-
-#: Number of windows whose search for events costs about as much as the rest of a phase.
-STRETCH = 10
+from .steps.step import CHATTERS, REFUSED, Passed
 
 
 @dataclass(frozen=True)
@@ -43,23 +39,13 @@ class Place:
 
 def follow(case: Case, machine: Machine, start: AnyState, duration: float) -> Simulation:
     """Return the motion of a case from an admissible state, all without units."""
-    segments, _, ended = walk(case, machine, Place.first(machine, start), duration)
+    segments, _, ended, _ = walk(case, machine, Place.first(machine, start), duration)
     return Simulation(case, tuple(segments), ended)
-
-
-def effort(window: float, s: float) -> float:
-    """Return the cost of following a phase for a time: 1, and more for a long one."""
-    return 1 + s / (STRETCH * window)
-
-
-def _reach(window: float, most: float) -> float:
-    """Return how long a phase can be followed at a cost of `most`; inverse of `effort`."""
-    return max(most - 1, 0.0) * STRETCH * window if most < math.inf else most
 
 
 def walk(
     case: Case, machine: Machine, place: Place, until: float, most: float = math.inf
-) -> tuple[list[Segment], Place, str]:
+) -> tuple[list[Segment], Place, str, float]:
     """Return the phases of a motion from the start of a phase; the last one is cut off.
 
     Parameters
@@ -67,7 +53,7 @@ def walk(
     until : float
         The time at which the motion ends, without units.
     most : float
-        The `effort` after which it ends earlier.
+        The effort after which it ends earlier: see `Machine.effort`.
 
     Returns
     -------
@@ -76,21 +62,25 @@ def walk(
         Where the last of them begins; `walk` can go on from there.
     ended : str
         Why the motion ends early; empty if it was cut off.
+    left : float
+        What is left of `most`.
     """
     end_time = Fraction(until)
     segments: list[Segment] = []
+    ahead: list[Passed] = []
     while True:
         p, state = place.phase, place.state
-        window = machine.window(p)
-        longest = min(max(float(end_time - place.t), 0.0), _reach(window, most))
-        passed: Any = machine.step(p, state, place.clock, longest)
+        if not ahead:
+            remaining = max(float(end_time - place.t), 0.0)
+            ahead = machine.several(p, state, place.clock, remaining, most)[::-1]
+        passed = ahead.pop()
         s, surface = passed.s, passed.surface
         segments.append(machine.recorded(p, state, place.t, s, surface))
-        most -= effort(window, s)
+        most -= machine.effort(p, state, s)
         if passed.how == CHATTERS:
-            return segments, place, _chatter(case, segments[-1], s + passed.left)
+            return segments, place, _chatter(case, segments[-1], s + passed.left), most
         if passed.how not in (EVENT, REFUSED) or most < 1:
-            return segments, place, _ended(segments[-1], passed.how)
+            return segments, place, _ended(segments[-1], passed.how), most
         t = place.t + Fraction(s)
         if passed.how == REFUSED:
             when = f"at t = {float(t) * case.units.time:.6g} s"
@@ -98,17 +88,18 @@ def walk(
                 f"no phase of the scene takes the state {when}, where "
                 f"{segments[-1].phase.name} ends; {machine.unmet(passed.behind)}"
             )
-            return segments, place, words
+            return segments, place, words, most
         if passed.away != NONE:
             resting = max(min(passed.left, float(end_time - t)), 0.0)
             segments.append(machine.recorded(passed.away, passed.behind, t, resting, NONE))
             t += Fraction(resting)
         elif accumulates(_last(segments)) and (passed.left or not machine.has_rest(surface)):
             before, last = segments[-2].s, segments[-1].s
-            return segments, place, _chatter(case, segments[-1], end_of(last, before, last))
+            words = _chatter(case, segments[-1], end_of(last, before, last))
+            return segments, place, words, most
         if len(segments) >= MOST_PHASES:
             words = f"{MOST_PHASES} phases are the most that one motion may have"
-            return segments, place, words
+            return segments, place, words, most
         place = Place(passed.phase, passed.state, passed.clock, t)
 
 

@@ -29,8 +29,8 @@ def followed(case, start, cycles):
     start = one.at_rest(0.3 * cell.forced) if start is None else one.remembered(start)
     begun = state_of(start, other.cell, free_phase(cell).m)
     until = cycles * cycle(cell)
-    own, _, ended = walk(case, one, Place.first(one, start), until)
-    found, _, other_ended = walk(case, other, Place.first(other, begun), until)
+    own, _, ended, _ = walk(case, one, Place.first(one, start), until)
+    found, _, other_ended, _ = walk(case, other, Place.first(other, begun), until)
     return own, ended, found, other_ended
 
 

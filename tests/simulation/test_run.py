@@ -17,6 +17,7 @@ from nonsmooth.solver.simulation.machines import machine_of
 from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps import run
 from nonsmooth.solver.simulation.steps.clock import angle_of, at_start, later, time_to
+from nonsmooth.solver.simulation.steps.column import NONE
 from nonsmooth.solver.simulation.steps.locate import CUT, EVENT
 from nonsmooth.solver.simulation.steps.state import State
 from nonsmooth.solver.simulation.steps.step import CHATTERS, REFUSED
@@ -56,15 +57,32 @@ def test_plain_and_compiled_motions_have_the_same_bits(name) -> None:
     forms = machine.family.plain(run.__name__), machine.family.compiled(run.__name__)
     for start in states:
         place = Place.first(machine, start)
-        p, state, clock = place.phase, with_arrays(place.state), place.clock
-        for _ in range(40):
-            one, other = (of["step"](machine.rules, p, state, clock, 9.0) for of in forms)
-            assert bits(one) == bits(other)
-            if one.how != EVENT:
-                break
-            p, state, clock = one.phase, one.state, one.clock
+        begin = place.phase, with_arrays(place.state), place.clock
+        one, other = (of["several"](machine.rules, *begin, 60.0, 50.0) for of in forms)
+        assert bits(tuple(one)) == bits(tuple(other))
         one, other = (of["run"](machine.rules, with_arrays(start), 3) for of in forms)
         assert bits(one) == bits(other)
+
+
+@pytest.mark.parametrize("most", [math.inf, 9.5])
+@pytest.mark.parametrize("name", [*SCENES, *BODIES])
+def test_phases_followed_together_are_those_followed_one_by_one(name, most) -> None:
+    _, machine, states = drawn(name, 4)
+    for start in states:
+        place, t, effort = Place.first(machine, start), Fraction(0), most
+        p, state, clock = place.phase, with_arrays(place.state), place.clock
+        together = machine.several(p, state, clock, 40.0, most)
+        for passed in together:
+            left = float(Fraction(40) - t)
+            window = machine.by("window_of", p, state)
+            longest = min(left, run.reach(window, effort))
+            assert bits(machine.by("step", p, state, clock, longest)) == bits(passed)
+            effort, t = effort - run.effort(window, passed.s), t + Fraction(passed.s)
+            p, state, clock = passed.phase, passed.state, passed.clock
+        *others, last = together
+        assert all(one.how == EVENT and one.away == NONE for one in others)
+        goes_on = last.how == EVENT and last.away == NONE and effort >= 1
+        assert goes_on == (len(together) == run.AT_ONCE)
 
 
 @pytest.mark.parametrize("name", SCENES)

@@ -8,6 +8,7 @@ far as they ring.  A pole near the frequency of what drives it has no such parts
 Functions over `Phases`: plain Python, or compiled by numba.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -42,6 +43,8 @@ class Along(NamedTuple):
     modes : Modes
     by_poles, direct : ndarray of complex, shape (F, 2, m), (F, 2)
         The forms and their slopes, by the poles and by ``e^(i Omega t)``.
+    moduli : ndarray, shape (F, m)
+        Those of the factors of each form.
     fixed : ndarray, shape (F, 2)
         Their constant parts.
     leading : ndarray of int, shape (F,)
@@ -66,6 +69,7 @@ class Along(NamedTuple):
     modes: Modes
     by_poles: Complex
     direct: Complex
+    moduli: Matrix
     fixed: Matrix
     leading: Integers
     rate: Vector
@@ -134,7 +138,7 @@ def along_of(
     free, drive = _parts(modes, poles.near[p])
     by_poles = np.zeros((count, 2, m), np.complex128)
     direct, fixed = np.zeros((count, 2), np.complex128), np.zeros((count, 2))
-    orders, rate = np.zeros(count, np.int64), np.zeros(count)
+    moduli, orders, rate = np.zeros((count, m)), np.zeros(count, np.int64), np.zeros(count)
     forcing = complex(float(Y[n]), float(Y[n + 1]))
     for f in range(count):
         row, sign = rows[f], float(signs[f])
@@ -147,6 +151,8 @@ def along_of(
             fixed[f, k] = sign * value_of(rates[k, n + 2 :], Y[n + 2 :])
             for i in range(m):
                 by_poles[f, k, i] = sign * complex(phases.forms.by_poles[row, k, i])
+        for i in range(m):
+            moduli[f, i] = abs(complex(by_poles[f, 0, i]))
         if orders[f] == TERMS and _sees_none(by_poles[f, 0], rates[0, :n]):
             orders[f] = NEVER
     waves, constant, sizes = np.zeros(count), np.zeros(count), np.zeros(count)
@@ -158,10 +164,10 @@ def along_of(
         sizes[f] = abs(complex(direct[f, 0]))
         sizes[f] += size_of(phases.forms.rates[rows[f], 0, n + 2 :], Y[n + 2 :])
         for i in range(m):
-            sizes[f] += abs(complex(by_poles[f, 0, i])) * float(amounts[i])
+            sizes[f] += float(moduli[f, i]) * float(amounts[i])
     return Along(
-        modes, by_poles, direct, fixed, orders, rate, sizes, poles.near[p, :m], free, drive,
-        waves, constant, float(poles.window[p]), float(poles.growth[p]),
+        modes, by_poles, direct, moduli, fixed, orders, rate, sizes, poles.near[p, :m], free,
+        drive, waves, constant, float(poles.window[p]), float(poles.growth[p]),
     )  # fmt: skip
 
 
@@ -232,8 +238,8 @@ def bounds(along: Along, order: int, t: float, h: float) -> Vector:
     modes, moduli = along.modes, np.zeros(len(along.free))
     for i in range(len(moduli)):
         s, drive = complex(modes.poles[i]), float(along.drive[i])
-        growth = exp(complex(min(max(s.real, 0.0) * h, LARGE))).real
-        decay = exp(complex(min(s.real * t, LARGE))).real
+        growth = math.exp(min(s.real * h, LARGE)) if s.real > 0 else 1.0
+        decay = math.exp(min(s.real * t, LARGE))
         power = power_of(abs(s), order)
         if not along.near[i]:
             moduli[i] = float(along.free[i]) * decay * power * growth
@@ -250,7 +256,7 @@ def bounds(along: Along, order: int, t: float, h: float) -> Vector:
     for f in range(len(limits)):
         total = float(along.waves[f]) * power_of(modes.omega, order)
         for i in range(len(moduli)):
-            total += abs(complex(along.by_poles[f, 0, i])) * float(moduli[i])
+            total += float(along.moduli[f, i]) * float(moduli[i])
         limits[f] = total
     return limits
 

@@ -57,19 +57,18 @@ def first_event(along: Along, most: float) -> tuple[float, int, int]:
     t, h = 0.0, first / POINTS
     if not (watched and isfinite(h)):
         return (0.0, BEYOND, 0) if watched or not isfinite(most) else (most, CUT, 0)
-    kinds = np.zeros(len(tolerance), np.int64)
+    kinds, states = np.zeros(len(tolerance), np.int64), np.zeros((2, len(tolerance), 2))
     for _ in range(MOST_ROUNDS):
         if t >= most:
             return most, CUT, 0
-        states, total = states_at(along, t, h, most)
-        if not isfinite(total):
+        k, certain = first_doubt(along, t, h, most, first, tolerance, kinds, states)
+        if k == NONE:
             return t, BEYOND, 0
-        k, certain = first_doubt(along, states, t, h, most, first, tolerance, kinds)
         a, b, below = min(t + h * k, most), min(t + h * (k + 1), most), first_below(kinds)
         if k == POINTS:
             t, h = a, LONGER * h
         elif certain:
-            return first_zero_of(along, states[k], states[k + 1], kinds, a, b)
+            return first_zero_of(along, states[0], states[1], kinds, a, b)
         elif b - a > 4 * EPS * b:
             t, h = a, (b - a) / POINTS
         elif below != NONE:
@@ -79,46 +78,63 @@ def first_event(along: Along, most: float) -> tuple[float, int, int]:
     return t, LOST, 0
 
 
-def states_at(along: Along, t: float, h: float, most: float) -> tuple[Matrix, float]:
-    """Return values and slopes at both ends of intervals; shape (POINTS + 1, F, 2).
-
-    And the sum of the values.
-    """
-    states, total = np.zeros((POINTS + 1, len(along.sizes), 2)), 0.0
-    for k in range(POINTS + 1):
-        time = min(t + h * k, most)
-        z = poles_at(along.modes, time)
-        for f in range(states.shape[1]):
-            value, slope = value_at(along, f, z, time)
-            states[k, f, 0], states[k, f, 1] = value, slope
-            total += value
-    return states, total
-
-
 def first_doubt(
-    along: Along, states: Matrix, t: float, h: float, most: float, first: float,
-    tolerance: Vector, kinds: Integers,
+    along: Along, t: float, h: float, most: float, first: float,
+    tolerance: Vector, kinds: Integers, states: Matrix,
 ) -> tuple[int, bool]:  # fmt: skip
     """Return the first interval in which a form may have a zero, and whether that is certain.
 
-    `POINTS` if there is none.  `kinds` is filled with what is known of each form.  A form that
-    starts at zero has no other zero before the time `first`.
+    `POINTS` if there is none, `NONE` where a form is beyond float64 before.  `kinds` is filled
+    with what is known of each form there, `states`, shape (2, F, 2), with values and slopes at
+    both ends.  A form that starts at zero has no other zero before the time `first`.
     """
+    throughout = bounds(along, 4, t, min(t + h * POINTS, most) - t)
+    total = put_state(along, t, states[1])
     for k in range(POINTS):
         a, b = min(t + h * k, most), min(t + h * (k + 1), most)
-        bound, doubts, certain = bounds(along, 4, a, b - a), 0, 0
-        for f in range(len(kinds)):
-            kinds[f], counts = NO_ZERO, along.leading[f] == 0 or b > first
-            if along.leading[f] == TERMS:
-                counts = not waits(along, states[k : k + 2, f, 0], b - a, float(tolerance[f]))
-            if counts:
-                cubic = cubic_of(states[k, f], states[k + 1, f])
-                kinds[f] = kind_of(cubic, b - a, float(bound[f]), float(tolerance[f]))
-            doubts += kinds[f] != NO_ZERO
-            certain += kinds[f] == FALLING
+        if a == most:
+            break
+        states[0] = states[1]
+        total += put_state(along, b, states[1])
+        if not isfinite(total):
+            return NONE, False
+        doubts, certain = judged(along, a, b, first, throughout, tolerance, kinds, states)
+        if doubts > certain:  # perhaps not by the bound of this interval alone
+            own = bounds(along, 4, a, b - a)
+            doubts, certain = judged(along, a, b, first, own, tolerance, kinds, states)
         if doubts > 0:
             return k, certain == doubts
     return POINTS, False
+
+
+def put_state(along: Along, t: float, state: Matrix) -> float:
+    """Fill in values and slopes at a time, shape (F, 2); return the sum of the values."""
+    z, total = poles_at(along.modes, t), 0.0
+    for f in range(len(state)):
+        state[f, 0], state[f, 1] = value_at(along, f, z, t)
+        total += state[f, 0]
+    return total
+
+
+def judged(
+    along: Along, a: float, b: float, first: float, bound: Vector,
+    tolerance: Vector, kinds: Integers, states: Matrix,
+) -> tuple[int, int]:  # fmt: skip
+    """Fill in what is known of each form on an interval, by bounds of fourth derivatives.
+
+    Return how many may have a zero, and how many certainly have.
+    """
+    doubts, certain = 0, 0
+    for f in range(len(kinds)):
+        kinds[f], counts = NO_ZERO, along.leading[f] == 0 or b > first
+        if along.leading[f] == TERMS:
+            counts = not waits(along, states[:, f, 0], b - a, float(tolerance[f]))
+        if counts:
+            cubic = cubic_of(states[0, f], states[1, f])
+            kinds[f] = kind_of(cubic, b - a, float(bound[f]), float(tolerance[f]))
+        doubts += kinds[f] != NO_ZERO
+        certain += kinds[f] == FALLING
+    return doubts, certain
 
 
 def waits(along: Along, values: Vector, h: float, tolerance: float) -> bool:

@@ -29,7 +29,6 @@ from .phases import body_rules_of
 from .record import BodySegment
 from .regime import Regime, regimes
 from .state import BodyState
-from .step import watched
 
 #: Modules whose functions follow a motion: common ones, and those of bodies, whose functions
 #: replace those of one mass of the same names.
@@ -67,10 +66,6 @@ class BodyMachine(Machine):
     def regimes(self) -> tuple[Regime, ...]:
         """The phases in numbers."""
         return regimes(self.cell, self.nodes)
-
-    def window(self, p: int) -> float:
-        """Return a third of a period of the forcing or, without one, of the slowest pole."""
-        return self.regimes[p].window
 
     def still(self, angle: float) -> AnyState:
         """Return the state at rest with zero displacement."""
@@ -130,11 +125,9 @@ class BodyMachine(Machine):
         self, p: int, state: BodyState, t: Fraction, s: float, surface: int
     ) -> BodySegment:
         """Return a phase that was followed as a segment of the record."""
-        node, regime, Y = self.nodes[p], self.regimes[p], state.full
-        rows, signs, _ = watched(self.rules, p, state)
-        x, v = (float(row @ Y) for row in regime.contacts[:2, 0])
+        node, regime = self.nodes[p], self.regimes[p]
+        x, v = (regime.contacts[:2, 0] @ state.full).tolist()
         return BodySegment(
             node.phase, node.index, node.mirrored, t, state.angle, x, v, s,
-            self.ending(p, surface), Y=Y, regime=regime,
-            watched=signs[:, None] * self.rules.forms[rows],
+            self.ending(p, surface), start=state, regime=regime, rules=self.rules, number=p,
         )  # fmt: skip

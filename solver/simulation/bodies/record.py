@@ -1,15 +1,19 @@
 """A phase of a simulated motion of a body."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ...arrays import Matrix, Vector
 from ..lasting import ROUNDING
 from ..record import Segment
+from ..steps.rules import Rules
 from .along import Along, along_of, fastest, least
 from .phases import Phases, forms_of, laws_of, poles_of
 from .regime import Regime
+from .state import BodyState
+from .step import watched
 
 #: Relative amplitude of waves that a drawing need not resolve.
 UNSEEN = 1e-3
@@ -19,13 +23,18 @@ UNSEEN = 1e-3
 class BodySegment(Segment):
     """One phase of a simulated motion of a body; see `Segment`.
 
-    It starts in the state ``Y = (y, cos, sin, 1, memory)``; the forms in the rows of `watched`,
-    shape (F, W), may end it.
+    It starts in the state `start`, and has a `number` in the `rules` of its machine.
     """
 
-    Y: Vector
+    start: BodyState
     regime: Regime
-    watched: Matrix
+    rules: Rules
+    number: int
+
+    @cached_property
+    def Y(self) -> Vector:
+        """The state at the start, ``Y = (y, cos, sin, 1, memory)``."""
+        return self.start.full
 
     @property
     def state(self) -> tuple[float, ...]:
@@ -58,7 +67,8 @@ class BodySegment(Segment):
 
     def lasts(self, omega: float) -> bool:
         """Return whether the phase is proven to last for ever."""
-        along = self._along(self.watched)
+        rows, signs, _ = watched(self.rules, self.number, self.start)
+        along = self._along(signs[:, None] * self.rules.forms[rows])
         low = least(along, self.s, float(np.abs(self.Y).max()))
         return bool((low >= -ROUNDING * along.sizes).all())
 

@@ -50,6 +50,11 @@ def full_of(state: BodyState) -> Vector:
     return Y
 
 
+def window_of(rules: Rules, p: int, state: BodyState) -> float:
+    """Return a third of a period of the forcing or, without one, of the slowest pole."""
+    return float(rules.phases.poles.window[p])
+
+
 def local_of(rules: Rules, p: int, state: BodyState) -> Vector:
     """Return the vector Y of a state in which a phase begins."""
     return full_of(begun(rules, p, state))

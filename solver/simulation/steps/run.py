@@ -1,4 +1,4 @@
-"""A motion sampled at whole turns of the forcing, without its phases: for many starts.
+"""A motion over many phases: several of them in turn, or sampled at whole turns of the forcing.
 
 Functions over `Rules` and states: plain Python, or compiled by numba.
 """
@@ -10,16 +10,57 @@ import numpy as np
 from ...arrays import Integers, Matrix
 from ...flow.responses import state_at
 from .chatter import CHATTER, accumulates, put_last
-from .clock import Clock, at_start, later, time_to
+from .clock import Clock, at_start, later, time_to, total
 from .column import NONE
 from .locate import CUT, EVENT
 from .rules import Rules
-from .state import State, begun, equation_of
-from .step import CHATTERS, MANY, REFUSED, step
+from .state import AnyState, State, begun, equation_of, window_of
+from .step import CHATTERS, MANY, REFUSED, Passed, step
 from .switches import first_phase, has_rest
 
-#: Most phases of one motion.
-MOST_PHASES = 100_000
+#: Most phases of one motion, and of one call of `several`.
+MOST_PHASES, AT_ONCE = 100_000, 64
+
+#: Number of windows whose search for events costs about as much as the rest of a phase.
+STRETCH = 10
+
+
+def several(
+    rules: Rules, p: int, state: AnyState, clock: Clock, until: float, most: float
+) -> list[Passed]:
+    """Follow a motion from the start of a phase through `AT_ONCE` phases at most.
+
+    It ends earlier behind a phase that no event ends, or that a rest replaces.
+
+    Parameters
+    ----------
+    until : float
+        The time after which the last phase is cut off.
+    most : float
+        The `effort` after which it is.
+    """
+    passed, high, low = [], until, 0.0
+    for _ in range(AT_ONCE):
+        window = window_of(rules, p, state)
+        one = step(rules, p, state, clock, min(max(high + low, 0.0), reach(window, most)))
+        passed.append(one)
+        most -= effort(window, one.s)
+        if one.how != EVENT or one.away != NONE or most < 1:
+            break
+        high, rest = total(high, -one.s)
+        high, low = total(high, low + rest)
+        p, state, clock = one.phase, one.state, one.clock
+    return passed
+
+
+def effort(window: float, s: float) -> float:
+    """Return the cost of following a phase for a time: 1, and more for a long one."""
+    return 1 + s / (STRETCH * window)
+
+
+def reach(window: float, most: float) -> float:
+    """Return how long a phase can be followed at a cost of `most`; inverse of `effort`."""
+    return max(most - 1, 0.0) * STRETCH * window if most < inf else most
 
 
 def run(rules: Rules, state: State, cycles: int) -> tuple[Matrix, Integers, int]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...arrays import Vector
 from . import column
-from .bounds import Equation, Local, local
+from .bounds import Equation, Local, local, window
 from .column import NONE
 from .locate import NOISE, sign_after
 from .rules import Rules
@@ -58,6 +58,11 @@ def equation_of(rules: Rules, p: int, memory: Values) -> Equation:
     force = f + _remembered(row[column.MEMORY :], memory)
     held = bool(rules.kinds[p, column.HELD] != 0)
     return Equation(m, c, k, force, g, held, speed, float(rules.omega))
+
+
+def window_of(rules: Rules, p: int, state: State) -> float:
+    """Return a time of less than one oscillation in a phase; it may be infinite."""
+    return window(equation_of(rules, p, state.memory), float(rules.omega))
 
 
 def form_of(rules: Rules, row: int, memory: Values) -> tuple[float, float, float, float]:
