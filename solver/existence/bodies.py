@@ -28,7 +28,7 @@ from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..simulation import homotopy
 from ..stability.stability import is_stable
-from .enclosure import halved
+from .enclosure import changes_of_sign
 from .one_phase import ROUNDING, on_the_circle
 
 #: Modes of the scan: at least so many, and all below so many frequencies of the forcing.
@@ -212,20 +212,20 @@ def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
     parts = np.concatenate([close, even, 1 - close[::-1]])
 
     @np.errstate(over="ignore", invalid="ignore")  # the motion may grow beyond float64
-    def side(parts: Vector) -> Vector:
+    def excess(parts: Vector) -> Vector:
         events = _both(quick, parts)
         (a, b, c), (d, e, f) = (events[:, p].T for p in (0, 1))
         determinant = a * e - b * d
         cos, sin = b * f - c * e, c * d - a * f  # times the determinant
         if not (c.any() or f.any()):  # no gap, no load at rest: the angle is that of both
-            return np.asarray(np.sign(determinant))
+            return np.asarray(determinant)
         size = np.abs(a * e) + np.abs(b * d) + np.abs(cos) + np.abs(sin)
         size[size == 0] = 1.0
-        return np.asarray(np.sign((cos**2 + sin**2 - determinant**2) / size**2))
+        return np.asarray((cos**2 + sin**2 - determinant**2) / size**2)
 
     yield from _symmetric(quick)
-    i = np.flatnonzero(np.diff(side(parts)))
-    roots = halved(side, parts[i], parts[i + 1], HALVINGS) if len(i) else i
+    i = np.flatnonzero(np.diff(np.sign(excess(parts))))
+    roots = changes_of_sign(excess, parts[i], parts[i + 1], HALVINGS) if len(i) else i
     for root in map(float, roots):
         (a, b, c), (d, e, f) = _both(quick, np.array([root]))[0]
         durations = (root * cell.duration, (1 - root) * cell.duration)

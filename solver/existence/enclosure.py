@@ -40,6 +40,9 @@ MOST_PIECES, MOST_PARTS = 600, 4000
 #: Most halvings: of a piece until it is resolved, of a part, of a part with one root.
 SHORTEST, DEEPEST, HALVINGS = 12, 40, 48
 
+#: Steps of false position before an interval is halved; the change at which they end.
+FALSE, SETTLED = 12, 1e-15
+
 #: Relative distance below which doubtful intervals are joined.
 BESIDE = 1e-9
 
@@ -194,26 +197,47 @@ def _bisected(
     places, signs = [], []
     for sign in (1.0, -1.0):
         C = parts.coefficients[:, which]
-        crossed = _above(sign, C, low) != _above(sign, C, high)
-        above = partial(_above, sign, C[:, crossed])
-        w = halved(above, low[crossed], high[crossed], HALVINGS)
+        crossed = (_excess(sign, C, low) >= 0) != (_excess(sign, C, high) >= 0)
+        excess = partial(_excess, sign, C[:, crossed])
+        w = changes_of_sign(excess, low[crossed], high[crossed], HALVINGS)
         places.append(_place(parts.taken(which[crossed]), w))
         signs.append(np.full(len(w), sign))
     return np.concatenate(places), np.concatenate(signs)
 
 
-def _above(sign: float, C: Matrix, w: Vector) -> Vector:
+def _excess(sign: float, C: Matrix, w: Vector) -> Vector:
     D, P, Q = _values(C, w)
-    return np.asarray(sign * D >= np.hypot(P, Q))
+    return np.asarray(sign * D - np.hypot(P, Q))
 
 
-def halved(
-    side: Callable[[Vector], Vector], low: Vector, high: Vector, halvings: int
+def changes_of_sign(
+    function: Callable[[Vector], Vector], low: Vector, high: Vector, halvings: int
 ) -> Vector:
-    """Return by bisection the place in each interval where `side` changes."""
-    begin = side(low)
-    for _ in range(halvings):
-        middle = (low + high) / 2
-        before = side(middle) == begin
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    return (low + high) / 2
+    """Return the place in each interval where a function changes its sign.
+
+    By false position, with half of the value at an end that stays (the Illinois method); an
+    interval in which this does not settle is halved.
+
+    Examples
+    --------
+    >>> cubes = changes_of_sign(lambda x: x**3 - [1, 5], np.zeros(2), np.full(2, 3.0), 50)
+    >>> print(cubes)
+    [1.         1.70997595]
+    """
+    left, right, near = function(low), function(high), SETTLED * np.maximum(abs(low), abs(high))
+    begin = end = left >= 0
+    place, done = low, np.zeros(len(low), dtype=bool)
+    for step in range(FALSE + halvings):
+        false, last = high - right * ((high - low) / (right - left)), place
+        is_inside = (low <= false) & (false <= high) & (step < FALSE)
+        place = np.where(done, last, np.where(is_inside, false, (low + high) / 2))
+        value = function(place)
+        done |= (value == 0) | (np.abs(place - last) <= near)
+        if done.all():
+            break
+        before = (value >= 0) == begin
+        part = np.where((before == end) & (step > 0), 0.5, 1.0)  # of an end that stays again
+        left, low = np.where(before, value, part * left), np.where(before, place, low)
+        right, high = np.where(before, part * right, value), np.where(before, high, place)
+        end = before
+    return np.asarray(place)

@@ -89,16 +89,17 @@ def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
     The former come first, each group ordered by descending length of the phases.
     """
 
-    def above(s: Vector) -> Vector:
+    def excess(s: Vector) -> Vector:
         D, P, Q = _determinants(cell, s[:, None])[:, :, 0]
-        return np.asarray(np.abs(D) >= np.hypot(P, Q))
+        return np.asarray(np.abs(D) - np.hypot(P, Q))
 
     if not len(intervals):
         return np.empty(0)
     low, high = intervals.T
-    changes = above(low) != above(high)
-    inside = enclosure.halved(above, low, high, HALVINGS if changes.any() else 0)
-    places = np.where(changes, inside, intervals.mean(axis=1))
+    changes, places = (excess(low) >= 0) != (excess(high) >= 0), intervals.mean(axis=1)
+    if changes.any():
+        ends = low[changes], high[changes]
+        places[changes] = enclosure.changes_of_sign(excess, *ends, HALVINGS)
     shortest = np.minimum(places, cell.duration - places)
     return np.asarray(places[np.lexsort((-shortest, ~changes))])
 

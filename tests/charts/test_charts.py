@@ -48,8 +48,9 @@ def test_a_curve_is_found_once_though_many_lines_cross_it() -> None:
     assert sorted(curve.kind for curve in found) == ["flip", "fold", "grazing"]
 
 
-def test_a_flip_goes_on_where_two_multipliers_are_minus_one() -> None:
+def test_a_flip_goes_on_where_two_multipliers_are_minus_one(monkeypatch) -> None:
     """A torus bifurcation begins there: on the flip, which ends at the range on both sides."""
+    monkeypatch.setattr(lines, "VALUES", 2)
     axes = {"frequency": (0.691, 0.6914, 2), "restitution": (0.77, 0.79, 2)}
     flip, torus = ns.chart(ns.scene("chain-impact")(), axes).curves
     assert (flip.kind, torus.kind) == ("flip", "torus")
