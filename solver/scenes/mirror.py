@@ -1,8 +1,7 @@
 """Mirror images of phases, and equivalence of forms."""
 
 from dataclasses import replace
-
-import numpy as np
+from math import frexp, ldexp
 
 from .bodies.cell import BodyPhase
 from .cell import Form, Phase
@@ -40,14 +39,19 @@ def same(one: Form, other: Form) -> bool:
     >>> same((1.0, 0.0, 0.0, -1e300), (-2.0, 0.0, 0.0, 2e300))
     True
     """
-    a, b = np.array(one), np.array(other)
-    where = a != 0
-    if not where.any() or (where != (b != 0)).any():
-        return False
-    (p, power), (q, other_power) = np.frexp(a[where]), np.frexp(b[where])  # no ratio overflows
-    powers = other_power - power
-    ratios = np.ldexp(q / p, np.clip(powers - powers[0], -4, 4))
-    return bool((np.abs(ratios - ratios[0]) <= ROUNDING * np.abs(ratios[0])).all())
+    first, power = 0.0, 0
+    for a, b in zip(one, other, strict=True):
+        if (a == 0) != (b == 0):
+            return False
+        if a == 0:
+            continue
+        (p, of_one), (q, of_other) = frexp(a), frexp(b)  # no ratio overflows
+        if first == 0:
+            first, power = q / p, of_other - of_one
+        ratio = ldexp(q / p, min(max(of_other - of_one - power, -4), 4))
+        if not abs(ratio - first) <= ROUNDING * abs(first):
+            return False
+    return first != 0
 
 
 def is_image(one: Phase, other: Phase) -> bool:
@@ -60,10 +64,14 @@ def is_image(one: Phase, other: Phase) -> bool:
         return (q.event, *q.laws) if isinstance(q, BodyPhase) else (q.event,)
 
     image = mirror(one)
-    alike = numbers(image) == numbers(other) and all(map(same, laws(image), laws(other)))
     forms, theirs = ([form for _, form in q.demands] for q in (image, other))
-    demands = all(any(_demand_the_same(a, b) for b in theirs) for a in forms)
-    return alike and demands and len(forms) == len(theirs) and not (one.memory or other.memory)
+    return (
+        numbers(image) == numbers(other)
+        and len(forms) == len(theirs)
+        and not (one.memory or other.memory)
+        and all(map(same, laws(image), laws(other)))
+        and all(any(_demand_the_same(a, b) for b in theirs) for a in forms)
+    )
 
 
 def _demand_the_same(one: Form, other: Form) -> bool:

@@ -17,6 +17,7 @@ from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.charts import curves, lines
 from nonsmooth.solver.kernels.account import Account
 from nonsmooth.solver.scenes.ordered import of_all_phases
+from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.settle import from_several_states
 
 F, g, k, r, Omega = sp.symbols("F g k r Omega", positive=True)
@@ -215,8 +216,9 @@ def test_nothing_pushes_back_from_one_stop() -> None:
 
 def test_a_map_has_the_fold_of_its_closed_form(monkeypatch) -> None:
     for module in (solver_exact, in_order):  # where there is no orbit it is soon said
-        monkeypatch.setattr(module, "PHASES", 100)
-        monkeypatch.setattr(module, "FEW", 100)
+        monkeypatch.setattr(module, "PHASES", 20)
+        monkeypatch.setattr(module, "FEW", 20)
+    monkeypatch.setattr(settle, "FEW", 5)
     monkeypatch.setattr(chart, "LINES", 2)
     monkeypatch.setattr(lines, "VALUES", 2)
     monkeypatch.setattr(curves, "MOST_SEEN", 0.3)
