@@ -124,10 +124,12 @@ class Machine:
         return None if start is None else self.nodes[start[0]]
 
     def several(
-        self, p: int, state: AnyState, clock: Clock, until: float, most: float
+        self, p: int, state: AnyState, clock: Clock, until: Fraction, most: float
     ) -> list[Passed]:
         """Follow a motion from the start of a phase through some phases: see `run.several`."""
-        arguments = self.rules, p, with_arrays(state), clock, until, most
+        high = float(until)
+        time = high, float(until - Fraction(high))
+        arguments = self.rules, p, with_arrays(state), clock, time, most
         passed: list[Passed] = self.family.call(run.__name__, "several", *arguments)
         return passed
 

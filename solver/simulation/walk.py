@@ -71,8 +71,7 @@ def walk(
     while True:
         p, state = place.phase, place.state
         if not ahead:
-            remaining = max(float(end_time - place.t), 0.0)
-            ahead = machine.several(p, state, place.clock, remaining, most)[::-1]
+            ahead = machine.several(p, state, place.clock, end_time - place.t, most)[::-1]
         passed = ahead.pop()
         s, surface = passed.s, passed.surface
         segments.append(machine.recorded(p, state, place.t, s, surface))

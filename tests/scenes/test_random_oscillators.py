@@ -87,7 +87,9 @@ def settles(case, random, simulations, cycles) -> bool:
             if machine.first(start) is None:
                 continue
             until = cycles * cycle(each.cell)
-            segments, _, ended = walk(each, machine, Place.first(machine, start), until, PHASES)
+            segments, _, ended, _ = walk(
+                each, machine, Place.first(machine, start), until, PHASES
+            )
             motion = Simulation(each, tuple(segments), ended)
             if settled(each.cell, motion).times is not None:
                 return True

@@ -58,7 +58,7 @@ def test_plain_and_compiled_motions_have_the_same_bits(name) -> None:
     for start in states:
         place = Place.first(machine, start)
         begin = place.phase, with_arrays(place.state), place.clock
-        one, other = (of["several"](machine.rules, *begin, 60.0, 50.0) for of in forms)
+        one, other = (of["several"](machine.rules, *begin, (60.0, 0.0), 50.0) for of in forms)
         assert bits(tuple(one)) == bits(tuple(other))
         one, other = (of["run"](machine.rules, with_arrays(start), 3) for of in forms)
         assert bits(one) == bits(other)
@@ -68,12 +68,13 @@ def test_plain_and_compiled_motions_have_the_same_bits(name) -> None:
 @pytest.mark.parametrize("name", [*SCENES, *BODIES])
 def test_phases_followed_together_are_those_followed_one_by_one(name, most) -> None:
     _, machine, states = drawn(name, 4)
+    end = Fraction(40) + Fraction(1, 10**16)
     for start in states:
         place, t, effort = Place.first(machine, start), Fraction(0), most
         p, state, clock = place.phase, with_arrays(place.state), place.clock
-        together = machine.several(p, state, clock, 40.0, most)
+        together = machine.several(p, state, clock, end, most)
         for passed in together:
-            left = float(Fraction(40) - t)
+            left = float(end - t)
             window = machine.by("window_of", p, state)
             longest = min(left, run.reach(window, effort))
             assert bits(machine.by("step", p, state, clock, longest)) == bits(passed)

@@ -26,7 +26,7 @@ STRETCH = 10
 
 
 def several(
-    rules: Rules, p: int, state: AnyState, clock: Clock, until: float, most: float
+    rules: Rules, p: int, state: AnyState, clock: Clock, until: tuple[float, float], most: float
 ) -> list[Passed]:
     """Follow a motion from the start of a phase through `AT_ONCE` phases at most.
 
@@ -34,12 +34,12 @@ def several(
 
     Parameters
     ----------
-    until : float
-        The time after which the last phase is cut off.
+    until : (float, float)
+        The time after which the last phase is cut off, as a sum of two floats.
     most : float
         The `effort` after which it is.
     """
-    passed, high, low = [], until, 0.0
+    passed, (high, low) = [], until
     for _ in range(AT_ONCE):
         window = window_of(rules, p, state)
         one = step(rules, p, state, clock, min(max(high + low, 0.0), reach(window, most)))
