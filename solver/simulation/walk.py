@@ -75,7 +75,7 @@ def walk(
         passed = ahead.pop()
         s, surface = passed.s, passed.surface
         segments.append(machine.recorded(p, state, place.t, s, surface))
-        most -= machine.effort(p, state, s)
+        most -= machine.effort(p, state, s) if most < math.inf else 0.0
         if passed.how == CHATTERS:
             return segments, place, _chatter(case, segments[-1], s + passed.left), most
         if passed.how not in (EVENT, REFUSED) or most < 1:
