@@ -1,12 +1,11 @@
 """A cell of a body at given times in balls: poles, harmonics, functions with breaks."""
 
-from fractions import Fraction
 from itertools import accumulate, pairwise
 from math import factorial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from flint import acb, arb, fmpq
+from flint import acb, arb, arb_poly, fmpq, fmpq_poly
 
 from ...bodies.force_series.layout import for_harmonics
 from ...kernels.bodies import Given
@@ -17,8 +16,8 @@ if TYPE_CHECKING:
     from ...scenes.bodies.cell import BodyPhase
 
 
-def function(n: int, sign: int) -> list[Fraction]:
-    """Return the coefficients of ``beta_n`` by powers of the age, from 0 to 1 between breaks.
+def function(n: int, sign: int) -> fmpq_poly:
+    """Return the polynomial ``beta_n`` of the age, from 0 to 1 between breaks.
 
     Its derivative of order n - 1 jumps by 1 at each break; ``beta_n' = beta_(n-1)``, and in the
     next cell it is `sign` times that of the cell.
@@ -26,33 +25,25 @@ def function(n: int, sign: int) -> list[Fraction]:
     Examples
     --------
     >>> function(1, 1)
-    [Fraction(1, 2), Fraction(-1, 1)]
+    (-1)*x + 1/2
     """
-    coefficients = [Fraction(1, 2)] if sign < 0 else [Fraction(1, 2), Fraction(-1)]
+    beta = fmpq_poly([fmpq(1, 2)] if sign < 0 else [fmpq(1, 2), -1])
     for _ in range(n - 1):
-        coefficients = [Fraction(0), *(q / (i + 1) for i, q in enumerate(coefficients))]
-        mean = sum((q / (i + 1) for i, q in enumerate(coefficients)), Fraction(0))
-        coefficients[0] -= mean if sign > 0 else sum(coefficients, Fraction(0)) / 2
-    return coefficients
+        beta = beta.integral()
+        beta -= beta.integral()(1) if sign > 0 else beta(1) / 2
+    return beta
 
 
-def legendre(powers: list[Fraction], age: Any, length: Any) -> dict[int, Any]:
+def legendre(p: fmpq_poly, age: Any, length: Any) -> dict[int, Any]:
     """Return the coefficients of ``p(age + length u)`` in the polynomials ``P_j*(u)``, by j."""
     coefficients: dict[int, Any] = {}
-    for k in range(len(powers)):
-        derivative = arb(0)
-        for i in range(k, len(powers)):
-            part = powers[i] * factorial(i) / factorial(i - k)
-            derivative = derivative + _ball(part) * age ** (i - k)
+    for k, factor in enumerate(arb_poly(p)(arb_poly([age, length])).coeffs()):
         for j in range(k + 1):  # u^k
-            part = Fraction((2 * j + 1) * factorial(k), factorial(k - j) * factorial(k + j + 1))
-            coefficients[j] = coefficients.get(j, arb(0)) + derivative * length**k * _ball(part)
+            part = fmpq(
+                (2 * j + 1) * factorial(k) ** 2, factorial(k - j) * factorial(k + j + 1)
+            )
+            coefficients[j] = coefficients.get(j, arb(0)) + factor * part
     return coefficients
-
-
-def _ball(part: Fraction) -> Any:
-    """Return a fraction as a ball."""
-    return arb(fmpq(part.numerator, part.denominator))
 
 
 class Frame:
@@ -92,12 +83,12 @@ class Frame:
             if n == 0:
                 hits[p - 1].append((i, c))
                 continue
-            powers = function(n, self.cell.sign)
+            beta = function(n, self.cell.sign)
             for q in range(self.count):
                 side, age = 1 if q >= p else self.cell.sign, arb(0)
                 if q != p:
                     age = self.ends[q] - self.ends[p] + (0 if q > p else 1)
-                series = legendre(powers, age, self.lengths[q])
+                series = legendre(beta, age, self.lengths[q])
                 forces[q][i] = (c, {j: side * factor for j, factor in series.items()})
         lengths = [length * self.T for length in self.lengths]
         return around(self.body.poles, lengths, forces, hits, len(self.breaks), self.cell.sign)
