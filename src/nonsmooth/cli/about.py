@@ -105,21 +105,33 @@ class Verb:
         return [json, output] if self.file else [json]
 
 
-class BehindName(click.Command):
-    """A command whose first argument may name a scene or a structure.
+@dataclass(frozen=True)
+class Kind:
+    """What a name stands for: scenes, or structures.
 
-    `word` is what the usage line has for it, `names` are those that come with the program.
+    The module ``commands`` of the package has ``command(verb, about, said)``, which makes the
+    command; `word` stands for a name in the usage line.  `named` returns what a text names; a
+    `UsageError` or `Problem` if there is no such thing.
     """
 
-    word = ""
+    package: str
+    word: str
+    names: Callable[[], tuple[str, ...]]
+    named: Callable[[str], Any]
+
+
+class BehindName(click.Command):
+    """A command whose first argument may name something of one of these `kinds`."""
+
+    kinds: tuple[Kind, ...] = ()
 
     def names(self) -> tuple[str, ...]:
-        """Return the names that may follow the command: none here."""
-        return ()
+        """Return the names of all shipped scenes or structures that may follow the command."""
+        return tuple(name for kind in self.kinds for name in kind.names())
 
     def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
         """Return what the usage line has behind the name of the command."""
-        return [*([self.word] if self.word else []), *super().collect_usage_pieces(ctx)]
+        return [*(kind.word for kind in self.kinds[:1]), *super().collect_usage_pieces(ctx)]
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
         """Complete names beside options."""
@@ -130,14 +142,15 @@ class CommandAbout(BehindName):
     """What a verb does with one scene or structure, which the user called `said`, as a command.
 
     `parameters` are those of the scene or structure, and what stands below them; `words` are in
-    help and epilog, beside the name, the title and what it was called.
+    help and epilog, beside the name, the title and what it was called.  Of `kinds` is what may
+    be named in its place.
     """
 
     def __init__(
-        self, about: Any, said: str, verb: Verb,
-        parameters: Iterable[click.Parameter], words: Mapping[str, object],
+        self, about: Any, said: str, verb: Verb, parameters: Iterable[click.Parameter],
+        words: Mapping[str, object], kinds: tuple[Kind, ...] = (),
     ) -> None:  # fmt: skip
-        self.about, parameters = about, [*parameters]
+        self.about, self.kinds, parameters = about, kinds, [*parameters]
         self.flags = [q.opts[0] for q in parameters if (q.name or "").startswith(PREFIX)]
         words_of_case = (
             f"Case file with a table [{tables_of(about.name)[0]}]; flags override it."

@@ -1,14 +1,12 @@
 """Commands whose first argument names a scene or a structure, and become commands of that."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from .about import BehindName
+from .about import BehindName, Kind
 from .case_files import said_first
 from .problems import Problem
 
@@ -71,21 +69,6 @@ def structure_named(name: str) -> "Structure":
         raise click.UsageError(str(error), context) from error
 
 
-@dataclass(frozen=True)
-class Kind:
-    """What a name stands for: scenes, or structures.
-
-    The module ``commands`` of the package has ``command(verb, about, said)``, which makes the
-    command; `word` stands for a name in the usage line.  `named` returns what a text names; a
-    `UsageError` or `Problem` if there is no such thing.
-    """
-
-    package: str
-    word: str
-    names: Callable[[], tuple[str, ...]]
-    named: Callable[[str], Any]
-
-
 SCENES = Kind("scenes", "[SCENE]", scene_names, scene_named)
 STRUCTURES = Kind("space", "[STRUCTURE]", structure_names, structure_named)
 
@@ -102,7 +85,7 @@ class NamedCommand(BehindName):
         default: str | None = DEFAULT, **options: Any,
     ) -> None:  # fmt: skip
         super().__init__(*arguments, **options)
-        self.kinds, self.default, self.word = kinds, default, kinds[0].word if kinds else ""
+        self.kinds, self.default = kinds, default
 
     def chosen(self, arguments: list[str]) -> tuple[click.Command, str, list[str]]:
         """Return the command for the named scene or structure, its name, other arguments.
@@ -121,7 +104,3 @@ class NamedCommand(BehindName):
         module = import_module(f".{kind.package}.commands", __package__)
         command: click.Command = module.command(self.name, kind.named(name), said or "")
         return command, said or "", remaining
-
-    def names(self) -> tuple[str, ...]:
-        """Return the names of all shipped scenes or structures."""
-        return tuple(name for kind in self.kinds for name in kind.names())

@@ -139,16 +139,6 @@ For another SCENE, a name that 'nonsmooth scenes' lists or the path of a scene f
 parameters are in 'nonsmooth {verb} SCENE --help'."""
 
 
-class CommandOfDefault(CommandAbout):
-    """A command about the default scene, which may be told another."""
-
-    word = SCENES.word
-
-    def names(self) -> tuple[str, ...]:
-        """Return the names of the shipped scenes."""
-        return SCENES.names()
-
-
 def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
     """Return a command of a scene, which the user called so."""
     before, last = scene.parameters[-2:][0], scene.parameters[-1]
@@ -168,10 +158,10 @@ def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
         Verbose(),
     ]
     about = (VERBS | OF_DEFAULT if scene.name == DEFAULT else VERBS)[verb]
-    if said or verb not in VERBS:
-        return CommandAbout(scene, said, about, parameters, words)
-    about = replace(about, help=about.help + OF_OTHERS.format(verb=verb))
-    return CommandOfDefault(scene, said, about, parameters, words)
+    others = () if said or verb not in VERBS else (SCENES,)
+    if others:
+        about = replace(about, help=about.help + OF_OTHERS.format(verb=verb))
+    return CommandAbout(scene, said, about, parameters, words, others)
 
 
 def _help(q: "Parameter") -> str:
