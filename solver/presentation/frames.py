@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...extras import require
-from ..arrays import Vector
 
 if TYPE_CHECKING:
     from .table import Table
@@ -40,8 +39,13 @@ def arrays(table: "Table") -> dict[str, tuple[tuple[str, ...], Any]]:
     With one coordinate an array is the column itself.  With several it is a grid, with NaN, 0
     or "" where the table has no row.
     """
+    import pandas as pd  # noqa: PLC0415  (xarray needs it)
+
     columns = {name: column(values) for name, values in table.columns.items()}
-    labels, cells = _grid([columns[name] for name in table.index])
+    cells: Any = slice(None)  # of each row in the grid
+    labels: Any = [columns[name] for name in table.index]
+    if len(labels) > 1:
+        cells, labels = zip(*map(pd.factorize, labels), strict=True)
     arrays_: dict[str, tuple[tuple[str, ...], Any]]
     arrays_ = {name: ((name,), labels[i]) for i, name in enumerate(table.index)}
     for name, values in columns.items():
@@ -64,16 +68,3 @@ def column(values: Any) -> Any:
     if present and len(present) == len(values) and all(isinstance(v, int) for v in present):
         return np.array(values)
     return np.array([np.nan if value is None else value for value in values], dtype=float)
-
-
-def _grid(index: "list[Vector]") -> "tuple[list[Vector], Any]":
-    """Return the distinct values of each coordinate, and the index of each row in the grid."""
-    if len(index) == 1:
-        return index, slice(None)
-    labels, indices = [], []
-    for values in index:
-        distinct = np.array(list(dict.fromkeys(values.tolist())))
-        labels.append(distinct)
-        position = {value: i for i, value in enumerate(distinct.tolist())}
-        indices.append(np.array([position[value] for value in values.tolist()], dtype=int))
-    return labels, tuple(indices)
