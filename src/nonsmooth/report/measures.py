@@ -4,11 +4,10 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.polynomial import Legendre
 
 from nonsmooth.kim_perkins import ExactStickSlipOrbit, StickSlipOrbit
 from nonsmooth.solver.arrays import Vector
-from nonsmooth.solver.orbit.errors import acceleration_error
+from nonsmooth.solver.orbit.errors import acceleration_error, derivative
 from nonsmooth.solver.orbit.quadrature import panels
 
 #: Samples of each phase for a largest value.
@@ -39,31 +38,15 @@ def differences(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit, quantity: str
     to the exact amplitude of the quantity.
     """
     omega = exact.case.omega_n
-    size = {
+    sizes = {
         "displacement": exact.case.amplitude,
         "velocity": exact.case.amplitude * omega,
         "acceleration": exact.case.largest_jump,
         "jerk": exact.case.amplitude * omega**3,
-    }[quantity]
-    of_exact, of_orbit = (_by_phases(motion, quantity) for motion in (exact, orbit))
-    return np.abs(of_orbit - of_exact) / size
-
-
-def _by_phases(motion: StickSlipOrbit | ExactStickSlipOrbit, quantity: str) -> Vector:
-    """Return samples of a quantity in stick and in slip; of the jerk in slip only.
-
-    In slip the acceleration of a C1 series is a polynomial of the degree of its order, and the
-    exact jerk is ``-omega_n**2`` times the velocity.
-    """
-    u = (np.arange(SAMPLES) + 0.5) / SAMPLES
-    slip = motion.period - motion.t1
-    times = np.array([motion.t1 * u, motion.t1 + slip * u])
-    if quantity != "jerk":
-        return np.asarray(getattr(motion, quantity)(times))
-    if isinstance(motion, ExactStickSlipOrbit):
-        return -(motion.case.omega_n**2) * motion.velocity(times[1])
-    fitted = Legendre.fit(u, motion.acceleration(times[1]), motion.order, domain=[0, 1])
-    return np.asarray(fitted.deriv()(u)) / slip
+    }
+    u, order = (np.arange(SAMPLES) + 0.5) / SAMPLES, list(sizes).index(quantity)
+    errors = [derivative(orbit, p, u, order) - derivative(exact, p, u, order) for p in (0, 1)]
+    return np.abs(errors) * (exact.case.units.of_motion(order) / sizes[quantity])
 
 
 def largest(quantity: str) -> Callable[[StickSlipOrbit, ExactStickSlipOrbit], float]:
