@@ -1,7 +1,7 @@
 """All numbers of the page on one oscillator: orbits, errors, rates, overshoots."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -113,7 +113,8 @@ def collect(case: Case, exact: ExactOrbit, done: Callable[[str], None]) -> Colle
     done("the derivative that jumps")
     curves = {}
     for way in listed:
-        curves[way] = _curve(case, way)
+        powers = about(way.method).power
+        curves[way] = curve(case, way, POWER_ORDERS if powers else FACTOR_ORDERS)
         done(way.name)
     return Collected(case, exact, small, ringing, curves)
 
@@ -125,8 +126,8 @@ def _orbit(case: Case, way: Way, order: int) -> Orbit | None:
         return None
 
 
-def _curve(case: Case, way: Way) -> dict[int, Errors]:
-    orders = POWER_ORDERS if about(way.method).power else FACTOR_ORDERS
+def curve(case: Case, way: Way, orders: Iterable[int]) -> dict[int, Errors]:
+    """Return the errors of a way by the order, of the orders that have an orbit."""
     errors = {order: orbit.errors for order in orders if (orbit := _orbit(case, way, order))}
     return {order: error for order, error in errors.items() if error is not None}
 

@@ -5,16 +5,15 @@ from typing import Any
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
-import numpy as np
 
 from nonsmooth.plots.axes import SETTINGS
 from nonsmooth.scene import find
+from nonsmooth.solver.accuracy.rates import slope
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about
-from nonsmooth.solver.solve import solve_case
 
-from .collected import Collected, collect, rate_of_times, ways
+from .collected import Collected, collect, curve, rate_of_times, ways
 from .scene_figures import FIGURES
 from .scene_page import rates
 
@@ -79,11 +78,8 @@ def thesis(names: list[str], orders: tuple[int, ...] = (8, 11, 16, 22, 32)) -> A
         for way in ways(case):
             if not about(way.method).power:
                 continue
-            errors = [
-                solve_case(case, way.method, order, way.functions).errors for order in orders
-            ]
-            logarithms = np.log([error.times for error in errors if error is not None])
-            slope = -float(np.polyfit(np.log(orders), logarithms, 1)[0])
+            errors = [(N, each.times) for N, each in curve(case, way, orders).items()]
+            measured = slope(errors, 0.0, power=True, fewest=2)
             expected = rate_of_times(case, way.functions or 0)
-            rows.append((name, f"C{case.scene.k}", way.functions or 0, slope, expected))
+            rows.append((name, f"C{case.scene.k}", way.functions or 0, measured, expected))
     return rows

@@ -59,10 +59,9 @@ def _over_time(motion: Motion, order: int) -> tuple[Vector, Vector]:
 
     NaN separates the phases.
     """
-    cell, unit = motion.case.cell, motion.case.units
+    cell, scale = motion.case.cell, motion.case.units.of_motion(order)
     u = np.linspace(0.0, 1.0, POINTS)
     ends = np.cumsum([0.0, *motion.durations]) / motion.period
-    scale = unit.length / unit.time**order
     times, values = [], []
     for index, (low, high) in enumerate(pairwise(ends)):
         p, turned = index % len(cell.phases), index >= len(cell.phases)
