@@ -70,11 +70,11 @@ def drawn(monkeypatch) -> list[Figure]:
     """Return the figures that are saved, of orbits that other tests have solved."""
     made: list[Figure] = []
 
-    def keep(figure: Figure, target: Path) -> None:
+    def keep(figure: Figure, target: Path, **options: object) -> None:
         made.append(figure)
         target.write_bytes(b"")
 
-    monkeypatch.setattr("nonsmooth.plots.axes.save", keep)
+    monkeypatch.setattr(Figure, "savefig", keep)
     monkeypatch.setattr(build, "Case", case)
     return made
 

@@ -139,20 +139,15 @@ def legend_above(figure: Any, axes: Any, columns: int = 3) -> None:
 
 
 def write(figure: Callable[[], Figure], *targets: Path, look: Any = SETTINGS) -> None:
-    """Write the figure that a function makes, to each target in the format of its suffix."""
+    """Write the figure that a function makes, to each target in the format of its suffix.
+
+    It is written without a date, so that the same input gives the same bytes.
+    """
+    metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
     with mpl.rc_context(look):
         drawn = figure()
         for target in targets:
-            save(drawn, target)
-
-
-def save(figure: Figure, target: Path) -> None:
-    """Write a figure without a date, so that the same input gives the same bytes.
-
-    The caller has set `SETTINGS`.
-    """
-    metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    figure.savefig(target, dpi=150, metadata=metadata.get(target.suffix.lower()))
+            drawn.savefig(target, dpi=150, metadata=metadata.get(target.suffix.lower()))
 
 
 def on_axes(draw: Callable[[Any], Any], size: tuple[float, float], target: IO[str]) -> None:
