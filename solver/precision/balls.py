@@ -109,12 +109,7 @@ class _Arrays:
     def ones(shape: Any) -> Any:
         return np.full(shape, arb(1), dtype=object)
 
-    @staticmethod
-    def arange(*bounds: Any) -> Any:
-        return np.array([arb(int(n)) for n in range(*map(int, bounds))], dtype=object)
-
     empty = zeros
-    abs = np.abs
 
 
 def spherical_bessel(x: Any, j: Any) -> None:
