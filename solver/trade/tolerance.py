@@ -117,18 +117,12 @@ class _Search:
 
     def meets(self, order: int) -> Orbit | None:
         """Return the orbit of an order if it is within the tolerance; note the trial."""
-        name = shown(self.case.scene, self.method)
         far = self._beyond(order)
-        if far is not None:
-            self.trials.append(Trial(name, order, far))
-            return None
-        orbit = self._orbit(order)
-        if orbit is None:
-            self.trials.append(Trial(name, order, None))
-            return None
-        name = shown(self.case.scene, orbit.method)
-        self.trials.append(Trial(name, order, orbit.estimate))
-        return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
+        orbit = None if far is not None else self._orbit(order)
+        errors = far if orbit is None else orbit.estimate
+        self.trials.append(Trial(shown(self.case.scene, self.method), order, errors))
+        within = orbit is not None and size(orbit.estimate) <= MARGIN * self.tol
+        return orbit if within else None
 
     def _orbit(self, order: int) -> Orbit | None:
         """Return the orbit of an order; None if none is found.
