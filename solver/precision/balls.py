@@ -90,9 +90,7 @@ def as_balls(argument: Any) -> Any:
     if isinstance(argument, tuple):
         return tuple(map(as_balls, argument))
     if isinstance(argument, np.ndarray) and argument.dtype == float:
-        return np.array([arb(q) for q in argument.ravel().tolist()], dtype=object).reshape(
-            argument.shape
-        )
+        return np.frompyfunc(arb, 1, 1)(argument)
     return argument
 
 

@@ -47,17 +47,13 @@ class Forms(NamedTuple):
 
 def balls(values: Any) -> Balls:
     """Return an array of the exact values of float64 numbers."""
-    values = np.asarray(values)
-    make = acb if values.dtype == complex else arb
-    return np.array([make(q) for q in values.ravel().tolist()], dtype=object).reshape(
-        values.shape
-    )
+    ball = acb if np.iscomplexobj(values) else arb
+    return np.frompyfunc(ball, 1, 1)(values)
 
 
-def real(values: Balls) -> Balls:
-    """Return the real parts of an array."""
-    flat = [acb(q).real for q in values.ravel()]
-    return np.array(flat, dtype=object).reshape(values.shape)
+#: The real parts of an array, and its complex conjugates.
+real: Callable[[Balls], Balls] = np.frompyfunc(lambda q: acb(q).real, 1, 1)
+conjugate: Callable[[Balls], Balls] = np.frompyfunc(lambda q: acb(q).conjugate(), 1, 1)
 
 
 def solved(A: Balls, right: Balls) -> Balls:

@@ -9,7 +9,7 @@ from flint import acb, arb, arb_poly, fmpq, fmpq_poly
 
 from ...bodies.force_series.layout import for_harmonics
 from ...kernels.bodies import Given
-from .body import Balls, Body, Forms, at_end, balls, closed, impulses, laws
+from .body import Balls, Body, Forms, at_end, balls, closed, conjugate, impulses, laws
 from .pieces import Piece, around, moments
 
 if TYPE_CHECKING:
@@ -142,5 +142,4 @@ def _breaks(given: Given) -> list[tuple[int, int, int]]:
 
 def of_real(by_harmonic: Balls) -> Balls:
     """Return the harmonics of the real part of a function with these harmonics."""
-    conjugates = [acb(q).conjugate() for q in by_harmonic[::-1].ravel()]
-    return (by_harmonic + np.array(conjugates, dtype=object).reshape(by_harmonic.shape)) / 2
+    return (by_harmonic + conjugate(by_harmonic[::-1])) / 2

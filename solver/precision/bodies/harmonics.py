@@ -9,7 +9,7 @@ from flint import acb, arb
 
 from ...bodies.force_series.layout import for_harmonics
 from ...kernels.bodies import Given
-from .body import Balls, Forms, balls, real, solved, statements
+from .body import Balls, Forms, balls, conjugate, real, solved, statements
 from .frame import Frame, of_real
 
 
@@ -61,7 +61,6 @@ def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
     for q, law in enumerate(frame.laws):
         compliance = frame.compliance(law)
         overlaps = {d: frame.integral(q, d * step) for d in range(1 - J, J)}
-        conjugate = np.array([acb(g).conjugate() for g in law.turn], dtype=object)
         by_break = np.full((J, contacts, breaks), acb(0), dtype=object)
         for h, eta in enumerate(frame.turns):
             for j in range(J):
@@ -73,7 +72,7 @@ def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
             alone = frame.integral(q, -eta)
             rows[h, :, frame.memory :] = rows[h, :, frame.memory :] - law.memory * alone
             ahead, behind = (frame.integral(q, g * frame.drive - eta) for g in (1, -1))
-            driven = law.turn * turn * ahead + conjugate * turn.conjugate() * behind
+            driven = law.turn * turn * ahead + conjugate(law.turn * turn) * behind
             right[h] = right[h] + driven + law.constant * alone
         between = slice(frame.waves, frame.memory)
         rows[:, :, between] = rows[:, :, between] - of_real(by_break)

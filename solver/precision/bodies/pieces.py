@@ -77,8 +77,7 @@ class Piece:
     @cached_property
     def end(self) -> Balls:
         """The states at the end."""
-        grown = np.array([q.exp() for q in self.kappa], dtype=object)
-        return self.decaying * grown[:, None] + self.rest.sum(axis=2)
+        return self.decaying * np.exp(self.kappa)[:, None] + self.rest.sum(axis=2)
 
     def tested(self, count: int) -> Balls:
         """Return the integrals of the states times ``P_n*`` for n < count; (count, m, U)."""
@@ -133,7 +132,7 @@ def around(
             for column, contact in hit:
                 state[:, column] = state[:, column] + b[:, contact]
         if turn == 0:
-            grown = np.array([(q * sum(lengths, arb(0))).exp() for q in s], dtype=object)
+            grown = np.exp(s * sum(lengths, arb(0)))
             start = sign * state / (1 - sign * grown)[:, None]
     return pieces
 
