@@ -2,7 +2,6 @@
 
 import csv
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,7 +13,6 @@ if TYPE_CHECKING:
     from nonsmooth.solver.results.orbit import Orbit
     from nonsmooth.solver.results.sweep import Sweep
     from nonsmooth.solver.simulation.record import Simulation
-    from nonsmooth.solver.space.convergence import Convergence
     from nonsmooth.solver.space.modes import Modes
 
 #: Columns of a motion; behind them, of each row of modes, stand the parameters.
@@ -95,11 +93,6 @@ def of_modes(
         for place, expansion in enumerate(expansions)
         for row in expansion.table().rows()
     ]
-
-
-def of_convergence(study: "Convergence") -> list[dict[str, Any]]:
-    """Return the rows of a study: an expansion and order each."""
-    return [asdict(row) for row in study.rows]
 
 
 #: The rows of results of each kind.

@@ -4,14 +4,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.solver.kernels.registry import mathematics
-from nonsmooth.solver.results.document import document_without_orbit
-from nonsmooth.solver.results.orbit import Orbit
 
 from .json_text import sealed
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
     from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.space.modes import Modes
     from nonsmooth.solver.space.structure import Structure
@@ -76,19 +72,6 @@ def document_of(kind: str, several: Sequence[Any]) -> dict[str, Any]:
         return dict(first.as_dict() | origin(first.case, used))
     orbits = [result.as_dict() | origin(result.case, [result.method]) for result in several]
     return orbits[0] if len(orbits) == 1 else {"scene": first.case.scene.name, "orbits": orbits}
-
-
-def of_each(
-    case: "Case", outcomes: "Mapping[str, Orbit | NoOrbit]", order: int | None,
-    functions: int | None, exact: "ExactOrbit | None",
-) -> list[dict[str, Any]]:  # fmt: skip
-    """Return the document of each orbit, with null for what an absent one lacks."""
-    return [
-        orbit.as_dict()
-        if isinstance(orbit, Orbit)
-        else document_without_orbit(case, method, order, functions, orbit, exact)
-        for method, orbit in outcomes.items()
-    ]
 
 
 def of_modes(expansions: "Sequence[Modes]") -> dict[str, Any]:

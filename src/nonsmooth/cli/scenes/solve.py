@@ -9,6 +9,7 @@ from nonsmooth.files import documents
 from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.results.document import document_without_orbit
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -52,7 +53,12 @@ def _solve(case: Case, wanted: Wanted, to: Destination) -> int:
 
     @cache
     def text() -> str:
-        parts = documents.of_each(case, outcomes, order, wanted.functions, exact)
+        parts = [
+            orbit.as_dict()
+            if isinstance(orbit, Orbit)
+            else document_without_orbit(case, name, order, wanted.functions, orbit, exact)
+            for name, orbit in outcomes.items()
+        ]
         if choice is not None:
             parts[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
         document = parts[0] if wanted.one else {"scene": case.scene.name, "orbits": parts}

@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from nonsmooth.files import csv_rows, documents
+from nonsmooth.files import documents
 from nonsmooth.solver.space.convergence import Line, convergence
 from nonsmooth.solver.space.expansions.methods import METHODS, check_forced, generic_method
 from nonsmooth.solver.space.structure import Structure
@@ -31,7 +31,7 @@ def run(
     text = cache(lambda: documents.text_of_modes(attached.structure, study.as_dict()))
     to.show(text, mode_tables.convergence(study, number))
     figure = drawn_by("modes.convergence_figure", study)
-    to.write(text, figure, rows=lambda: csv_rows.of_convergence(study))
+    to.write(text, figure, rows=lambda: study.as_dict()["rows"])
     if all(row.beta is None for row in study.rows):
         raise Problem(f"--mode: got {number}, no order has so many modes", 1)
     return 0
