@@ -11,9 +11,10 @@ from click.shell_completion import CompletionItem
 
 from ..extras import require
 from ..nearest import nearest
+from ..solver.no_orbit import NoOrbit
 from .case_files import read_case, tables_of
 from .output import DATA, PICTURES, Destination, check_target
-from .problems import Problem
+from .problems import Problem, tell
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -68,7 +69,8 @@ class Verb:
     ----------
     run : str
         A function and its module, which is imported to run.  It takes what is given of the
-        scene or structure, where the result goes, and options; it returns the exit status.
+        scene or structure, where the result goes, and options; it returns the exit status, or
+        raises a `NoOrbit`, which is told: that is status 1.
     help, examples : str
         As click has them, with places for words.
     options : callable
@@ -171,9 +173,13 @@ class CommandAbout(BehindName):
                 if name.startswith(PREFIX) and value is not None
             }
             module, _, name = verb.run.rpartition(".")
-            status: int = getattr(import_module(module, __package__), name)(
-                Given(about, said, case, flags), Destination(json_, output), **options
-            )
+            run = getattr(import_module(module, __package__), name)
+            given, to = Given(about, said, case, flags), Destination(json_, output)
+            try:
+                status: int = run(given, to, **options)
+            except NoOrbit as finding:
+                tell(finding)
+                return 1
             return status
 
         title = about.title[0].upper() + about.title[1:]

@@ -18,7 +18,7 @@ from ..output import (
     write_folder,
     write_whole,
 )
-from ..problems import as_problems, tell
+from ..problems import as_problems
 from ..progress import busy, progress
 
 if TYPE_CHECKING:
@@ -128,7 +128,6 @@ def report_on(given: Given[Any], to: Destination) -> int:
     """Compute what a page on any scene says, write it; the exit status."""
     from nonsmooth.report.scenes.scene_page import FILES, build, count
     from nonsmooth.solver.exact import exact_orbit
-    from nonsmooth.solver.no_orbit import NoOrbit
 
     from ..scenes.case import case_from
 
@@ -136,12 +135,8 @@ def report_on(given: Given[Any], to: Destination) -> int:
     folder = to.file
     assert folder is not None
     check_folder(folder, FILES)
-    try:
-        with as_problems():
-            exact = exact_orbit(case)
-    except NoOrbit as finding:
-        tell(finding)
-        return 1
+    with as_problems():
+        exact = exact_orbit(case)
     case = exact.case  # of the motion that occurs, where the scene has several
     with progress(count(case), "report") as done:
         write_folder(folder, lambda target: build(case, exact, given.said, target, done))

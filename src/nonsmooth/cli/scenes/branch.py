@@ -11,7 +11,6 @@ from nonsmooth.files.api import load
 from nonsmooth.files.file_errors import FileError
 from nonsmooth.solver import chart as maps
 from nonsmooth.solver.branches import branch, branches
-from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
 from nonsmooth.solver.results.branch import Branch
 from nonsmooth.solver.results.interrupted import Interrupted
@@ -24,7 +23,7 @@ from nonsmooth.workers import pool
 
 from ..about import Given
 from ..output import PICTURES, Destination, drawn_by
-from ..problems import Problem, as_problems, tell
+from ..problems import Problem, as_problems
 from ..progress import busy, progress
 from ..values import Vary
 from . import tables
@@ -58,9 +57,6 @@ def run(
                 followed = branches(*arguments, **expansion)
             else:
                 followed = [branch(*arguments, start=start, **expansion)]
-    except NoOrbit as finding:
-        tell(finding)
-        return 1
     except Interrupted as error:
         interrupt, followed = error, error.done
 

@@ -9,7 +9,6 @@ from typing import Any
 from nonsmooth.files import documents
 from nonsmooth.solver.family import MOST_VALUES, family
 from nonsmooth.solver.kernels.registry import methods as methods_of
-from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.results.interrupted import Interrupted
 from nonsmooth.solver.results.sweep import SweepRow
 from nonsmooth.solver.scenes.case import Case
@@ -21,7 +20,7 @@ from nonsmooth.solver.trade import measured
 from ..about import Given
 from ..aliases import generic_methods
 from ..output import Destination, drawn_by
-from ..problems import PLURAL, Problem, as_problems, tell, tell_none, wrong_values
+from ..problems import PLURAL, Problem, as_problems, tell_none, wrong_values
 from ..progress import progress
 from ..values import ORDERS, Vary, is_whole, parse_orders, values_of
 from . import tables
@@ -100,12 +99,8 @@ def _along(
 def trade(given: Given[LoadedScene], to: Destination) -> int:
     """Measure, show, write; the exit status."""
     case = case_from(given)
-    try:
-        with as_problems(), progress(1 + len(measured.ways(case)), "tradeoff") as advance:
-            result = measured.trade(case, advance)
-    except NoOrbit as finding:
-        tell(finding)
-        return 1
+    with as_problems(), progress(1 + len(measured.ways(case)), "tradeoff") as advance:
+        result = measured.trade(case, advance)
     methods = dict.fromkeys(method for method, _ in measured.ways(case))
     text = cache(lambda: documents.text(case, result.as_dict(), methods))
     to.show(text, tables.trade(result))
