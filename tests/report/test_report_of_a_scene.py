@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -80,7 +81,7 @@ def test_the_theory_is_that_of_the_references() -> None:
 
 
 def test_the_slopes_that_are_drawn_are_those_of_theory(found: Collected) -> None:
-    axes = figure(figures.convergence("times"), found).axes[0]
+    axes = figure(partial(figures.convergence, "times"), found).axes[0]
     drawn = {line.get_label(): line for line in axes.lines}
     curves = {way.name: curve for way, curve in found.curves.items()}
     assert list(drawn["hb"].get_ydata()) == [each.times for each in curves["hb"].values()]

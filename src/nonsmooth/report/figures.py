@@ -4,6 +4,7 @@ Each is narrow enough for a telephone; pictures that the paper puts side by side
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -80,46 +81,38 @@ def plane(axes: Any, case: Case) -> None:
     axes.margins(0.08, 0.12)
 
 
-def history(quantity: str) -> Callable[[Any, Case], None]:
-    """Return a function that draws Fig. 2(b), (c) or (d): a quantity against time."""
-
-    def draw(axes: Any, case: Case) -> None:
-        exact = case.exact
-        if quantity == "displacement":
-            centre = case.belt.slip_centre
-            axes.axhline(centre, **THIN)
-            _beside(axes, "$x_s$", (1, centre), xytext=(-3, 3), ha="right")
-        draw_motion(exact, axes, quantity, linewidth=1.6)
-        share = exact.t1 / exact.period
-        axes.axvspan(0, share, color="0.9", zorder=0)
-        axes.axvspan(1, min(1 + share, BEYOND), color="0.9", zorder=0)
-        where = {"xycoords": ("data", "axes fraction"), "ha": "center", "fontsize": 9}
-        axes.annotate("stick", (share / 2, 1.02), **where)
-        axes.annotate("slip", ((1 + share) / 2, 1.02), **where)
-        axes.set(xlim=(0, BEYOND))
-
-    return draw
+def history(quantity: str, axes: Any, case: Case) -> None:
+    """Draw Fig. 2(b), (c) or (d): a quantity against time."""
+    exact = case.exact
+    if quantity == "displacement":
+        centre = case.belt.slip_centre
+        axes.axhline(centre, **THIN)
+        _beside(axes, "$x_s$", (1, centre), xytext=(-3, 3), ha="right")
+    draw_motion(exact, axes, quantity, linewidth=1.6)
+    share = exact.t1 / exact.period
+    axes.axvspan(0, share, color="0.9", zorder=0)
+    axes.axvspan(1, min(1 + share, BEYOND), color="0.9", zorder=0)
+    where = {"xycoords": ("data", "axes fraction"), "ha": "center", "fontsize": 9}
+    axes.annotate("stick", (share / 2, 1.02), **where)
+    axes.annotate("slip", ((1 + share) / 2, 1.02), **where)
+    axes.set(xlim=(0, BEYOND))
 
 
-def accelerations(methods: tuple[str, ...], order: int) -> Callable[[Any, Case], None]:
-    """Return a function that draws Fig. 3 or 5: the acceleration by some methods."""
-
-    def draw(axes: Any, case: Case) -> None:
-        draw_motion(case.exact, axes, "acceleration", linewidth=1.6)
-        for method in methods:
-            look = curve(STYLES[method])
-            if case.has(method, order):
-                look["label"] = NAMES[method]
-                draw_motion(case.orbit(method, order), axes, "acceleration", **look)
-            else:
-                axes.plot([], [], label=f"{NAMES[method]}: no orbit", **look)
-        axes.set(xlim=(0, 1))
-        legend(axes, 2)
-
-    return draw
+def accelerations(methods: tuple[str, ...], order: int, axes: Any, case: Case) -> None:
+    """Draw Fig. 3 or 5: the acceleration by some methods."""
+    draw_motion(case.exact, axes, "acceleration", linewidth=1.6)
+    for method in methods:
+        look = curve(STYLES[method])
+        if case.has(method, order):
+            look["label"] = NAMES[method]
+            draw_motion(case.orbit(method, order), axes, "acceleration", **look)
+        else:
+            axes.plot([], [], label=f"{NAMES[method]}: no orbit", **look)
+    axes.set(xlim=(0, 1))
+    legend(axes, 2)
 
 
-many_harmonics = accelerations(("hb",), MOST)
+many_harmonics = partial(accelerations, ("hb",), MOST)
 
 
 def overshoot(axes: Any, case: Case) -> None:
@@ -200,14 +193,14 @@ FIGURES: dict[str, Callable[[Any, Case], None]] = {
     "fig-1a": lambda axes, case: sketch(axes, "stick-slip"),
     "fig-1b": friction,
     "fig-2a": plane,
-    "fig-2b": history("displacement"),
-    "fig-2c": history("velocity"),
-    "fig-2d": history("acceleration"),
+    "fig-2b": partial(history, "displacement"),
+    "fig-2c": partial(history, "velocity"),
+    "fig-2d": partial(history, "acceleration"),
     "fig-3": many_harmonics,
     "fig-3-detail": overshoot,
     "fig-4": period,
     "fig-4-errors": period_error,
-    "fig-5": accelerations(tuple(METHODS), THREE),
+    "fig-5": partial(accelerations, tuple(METHODS), THREE),
     "fig-6": acceleration_error,
 }
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -49,9 +50,9 @@ def differences(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit, quantity: str
     return np.abs(errors) * (exact.case.units.of_motion(order) / sizes[quantity])
 
 
-def largest(quantity: str) -> Callable[[StickSlipOrbit, ExactStickSlipOrbit], float]:
-    """Return the measure of the largest of the `differences` of a quantity."""
-    return lambda orbit, exact: float(differences(orbit, exact, quantity).max())
+def largest(quantity: str, orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
+    """Return the largest of the `differences` of a quantity."""
+    return float(differences(orbit, exact, quantity).max())
 
 
 def inside(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
@@ -79,10 +80,10 @@ MEASURES: dict[str, Callable[[StickSlipOrbit, ExactStickSlipOrbit], float]] = {
     "period": lambda orbit, exact: orbit.period / exact.period - 1,
     "acceleration": lambda orbit, exact: acceleration_error(orbit, exact, orbit.order),
     "acceleration at equal times": error_at_equal_times,
-    "largest displacement": largest("displacement"),
-    "largest velocity": largest("velocity"),
-    "largest acceleration": largest("acceleration"),
-    "largest jerk": largest("jerk"),
+    "largest displacement": partial(largest, "displacement"),
+    "largest velocity": partial(largest, "velocity"),
+    "largest acceleration": partial(largest, "acceleration"),
+    "largest jerk": partial(largest, "jerk"),
     "inside": inside,
     "overshoot": overshoot,
 }

@@ -1,6 +1,7 @@
 """The figures of the page on one oscillator, each narrow enough for a telephone."""
 
 from collections.abc import Mapping
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -83,26 +84,22 @@ def jumping(axes: Any, results: Collected) -> None:
     legend(axes, 2)
 
 
-def convergence(name: str) -> Draw:
-    """Return a function that draws one error against the order, with the slopes of theory."""
-
-    def draw(axes: Any, results: Collected) -> None:
-        for way, curve in results.curves.items():
-            orders = [*curve]
-            errors = [max(getattr(each, name), LEAST) for each in curve.values()]
-            axes.loglog(orders, errors, label=way.name, **_marked(way))
-            if about(way.method).power and orders:
-                rate = theory(results, way, name)
-                slope = errors[0] * (np.array(orders) / orders[0]) ** -(rate or 0.0)
-                if rate is not None and errors[0] > LEAST:
-                    axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
-        quantity = name_of_error(results.case.scene, name)
-        axes.set(xlabel="order $N$", ylabel=f"error of {quantity}")
-        axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
-        axes.minorticks_off()
-        legend(axes, 3)
-
-    return draw
+def convergence(name: str, axes: Any, results: Collected) -> None:
+    """Draw one error against the order, with the slopes of theory."""
+    for way, curve in results.curves.items():
+        orders = [*curve]
+        errors = [max(getattr(each, name), LEAST) for each in curve.values()]
+        axes.loglog(orders, errors, label=way.name, **_marked(way))
+        if about(way.method).power and orders:
+            rate = theory(results, way, name)
+            slope = errors[0] * (np.array(orders) / orders[0]) ** -(rate or 0.0)
+            if rate is not None and errors[0] > LEAST:
+                axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
+    quantity = name_of_error(results.case.scene, name)
+    axes.set(xlabel="order $N$", ylabel=f"error of {quantity}")
+    axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
+    axes.minorticks_off()
+    legend(axes, 3)
 
 
 def theory(results: Collected, way: Way, name: str) -> float | None:
@@ -131,9 +128,9 @@ FIGURES: Mapping[str, tuple[Draw, str]] = {
     "plane": (plane, "the orbit in the phase plane"),
     "history": (history, "displacement and velocity over a period"),
     "jump": (jumping, "the first derivative that jumps"),
-    "times": (convergence("times"), "error of the times against the order"),
+    "times": (partial(convergence, "times"), "error of the times against the order"),
     "discontinuous": (
-        convergence("discontinuous"),
+        partial(convergence, "discontinuous"),
         "error of the derivative that jumps against the order",
     ),
 }
