@@ -84,19 +84,6 @@ def of_modes(expansions: "Sequence[Modes]") -> dict[str, Any]:
     return head | {"expansions": documents}
 
 
-def of_varied_modes(
-    name: str, values: Sequence[float], expansions: "Sequence[Modes]"
-) -> dict[str, Any]:
-    """Return the document of modes over a parameter."""
-    pairs = zip(values, expansions, strict=True)
-    return {
-        "structure": expansions[0].structure.name,
-        "class": f"C{expansions[0].structure.k}",
-        "vary": name,
-        "points": [{"value": value} | expansion.as_dict() for value, expansion in pairs],
-    }
-
-
 def same_of_all(several: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """Return what is the same in all of several mappings.
 

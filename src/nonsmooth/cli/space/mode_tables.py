@@ -84,11 +84,11 @@ def _primes(derivative: int) -> str:
     return "u" + "'" * derivative
 
 
-def convergence(study: Convergence, number: int) -> Iterator[Piece]:
-    """Show one row an expansion and order of a mode by its number, and the rates."""
+def convergence(study: Convergence) -> Iterator[Piece]:
+    """Show one row an expansion and order of a mode, and the rates."""
     structure = study.attached.structure
     yield _caption(study.attached)
-    yield f"mode {number}\n"
+    yield f"mode {study.number}\n"
     names = {(line.method, line.forced): line.name(study.attached) for line in study.lines}
     table = table_of(
         "method", "N", "unknowns", "omega [rad/s]", "lam/lam_ex-1", "u",

@@ -153,16 +153,18 @@ def _along(
 ) -> int:
     """Compute the modes along a parameter, show them, write them; the exit status."""
     values, labels = zip(*((float(q), _label(vary, q)) for q in values_of(vary)), strict=True)
-    structures, expansions = structures_of(vary, attached), list[Modes]()
+    structure, expansions = attached.structure, list[Modes]()
     with progress(vary.count, "sweep") as advance:
-        for label, structure in zip(labels, structures, strict=True):
-            expansions += compute(structure, options)
+        for label, each in zip(labels, structures_of(vary, attached), strict=True):
+            expansions += compute(each, options)
             advance(f"{vary.flag} = {label}")
 
     @cache
     def text() -> str:
-        document = documents.of_varied_modes(vary.flag, values, expansions)
-        return documents.text_of_modes(attached.structure, document)
+        pairs = zip(values, expansions, strict=True)
+        points = [{"value": value} | expansion.as_dict() for value, expansion in pairs]
+        head = {"structure": structure.name, "class": f"C{structure.k}", "vary": vary.flag}
+        return documents.text_of_modes(structure, head | {"points": points})
 
     how = f"{expansions[0].shown}, N = {expansions[0].order}"
     how = how if options["tol"] is None else "to a tolerance"

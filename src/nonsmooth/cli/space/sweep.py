@@ -29,7 +29,7 @@ def run(
     with as_problems(PLURAL), progress(len(lines) * len(numbers), "sweep") as done:
         study = convergence(attached, lines, numbers, number, done)
     text = cache(lambda: documents.text_of_modes(attached.structure, study.as_dict()))
-    to.show(text, mode_tables.convergence(study, number))
+    to.show(text, mode_tables.convergence(study))
     figure = drawn_by("modes.convergence_figure", study)
     to.write(text, figure, rows=lambda: study.as_dict()["rows"])
     if all(row.beta is None for row in study.rows):
