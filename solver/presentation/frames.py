@@ -21,41 +21,34 @@ def dataframe(table: "Table") -> Any:
 
 
 def dataset(table: "Table") -> Any:
-    """Return a table as an `xarray.Dataset`; see `Tabular.to_xarray`."""
-    require("xarray", "xarray", "to_xarray")
-    import xarray as xr  # noqa: PLC0415
+    """Return a table as an `xarray.Dataset`; see `Tabular.to_xarray`.
 
-    variables = {
-        name: (dimensions, values, {"units": table.units[name]} if name in table.units else {})
-        for name, (dimensions, values) in arrays(table).items()
-    }
-    coordinates = {name: variables.pop(name) for name in table.index}
-    return xr.Dataset(variables, coordinates, dict(table.about))
-
-
-def arrays(table: "Table") -> dict[str, tuple[tuple[str, ...], Any]]:
-    """Return the columns of a table as arrays over its index, with their dimensions.
-
-    With one coordinate an array is the column itself.  With several it is a grid, with NaN, 0
+    With one coordinate a variable is the column itself.  With several it is a grid, with NaN, 0
     or "" where the table has no row.
     """
+    require("xarray", "xarray", "to_xarray")
     import pandas as pd  # noqa: PLC0415  (xarray needs it)
+    import xarray as xr  # noqa: PLC0415
 
     columns = {name: column(values) for name, values in table.columns.items()}
     cells: Any = slice(None)  # of each row in the grid
     labels: Any = [columns[name] for name in table.index]
     if len(labels) > 1:
         cells, labels = zip(*map(pd.factorize, labels), strict=True)
-    arrays_: dict[str, tuple[tuple[str, ...], Any]]
-    arrays_ = {name: ((name,), labels[i]) for i, name in enumerate(table.index)}
+    units = {name: {"units": unit} for name, unit in table.units.items()}
+    coordinates = {
+        name: (name, values, units.get(name))
+        for name, values in zip(table.index, labels, strict=True)
+    }
+    variables = {}
     for name, values in columns.items():
         if name not in table.index:
             grid = np.zeros(tuple(map(len, labels)), dtype=values.dtype)
             if values.dtype.kind == "f":
                 grid[...] = np.nan
             grid[cells] = values
-            arrays_[name] = (table.index, grid)
-    return arrays_
+            variables[name] = (table.index, grid, units.get(name))
+    return xr.Dataset(variables, coordinates, dict(table.about))
 
 
 def column(values: Any) -> Any:

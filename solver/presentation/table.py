@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from . import frames
 from .notebook import of_rows
 
 if TYPE_CHECKING:
@@ -58,9 +59,7 @@ class Tabular:
         MissingExtra
             An `ImportError`: if pandas is not installed.
         """
-        from .frames import dataframe  # noqa: PLC0415  (an extra)
-
-        return dataframe(self.table())
+        return frames.dataframe(self.table())
 
     def to_xarray(self) -> Any:
         """Return the table as an `xarray.Dataset`: variables over named coordinates.
@@ -73,9 +72,7 @@ class Tabular:
         MissingExtra
             An `ImportError`: if xarray is not installed.
         """
-        from .frames import dataset  # noqa: PLC0415  (an extra)
-
-        return dataset(self.table())
+        return frames.dataset(self.table())
 
 
 class OfRows(Tabular):
