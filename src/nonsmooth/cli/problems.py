@@ -102,30 +102,27 @@ def tell_none(messages: Sequence[str]) -> None:
 
 
 @contextmanager
-def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
-    """Turn a `ValueError` on an argument into a `Problem` of the option; `names` maps them."""
+def as_problems(
+    names: Mapping[str, str] = MappingProxyType({}), of: str | None = None
+) -> Iterator[None]:
+    """Turn a `ValueError` on an argument into a `Problem` of the option; `names` maps them.
+
+    Where no option gives the parameters that are wrong, `of` says where they are from.
+    """
     try:
         yield
     except ValueError as error:
         from nonsmooth.solver.bodies.systems import BodyError
+        from nonsmooth.solver.scenes.parameter_error import ParameterError
 
+        if of is not None and isinstance(error, ParameterError):
+            raise Problem(f"{of}{error}") from error
         if isinstance(error, BodyError):  # what is wrong shows in its phases, not in an option
             raise Problem(f"body: {error}") from error
         name, _, message = str(error).partition(": ")
         if name in NO_OPTIONS:
             raise Problem(str(error)) from error
         raise Problem(f"--{names.get(name, name).replace('_', '-')}: {message}") from error
-
-
-@contextmanager
-def wrong_values(of: str = "") -> Iterator[None]:
-    """Turn a `ParameterError` into a `Problem`; `of` says where the parameters are from."""
-    from nonsmooth.solver.scenes.parameter_error import ParameterError
-
-    try:
-        yield
-    except ParameterError as error:
-        raise Problem(f"{of}{error}") from error
 
 
 def print_warnings() -> None:

@@ -19,7 +19,7 @@ from ..about import Given
 from ..aliases import generic_methods
 from ..columns import Piece, filled, table_of
 from ..output import Destination, drawn_by
-from ..problems import PLURAL, Problem, as_problems, say, wrong_values
+from ..problems import PLURAL, Problem, as_problems, say
 from ..progress import progress
 from ..values import parse_orders
 from .captions import caption
@@ -57,13 +57,13 @@ def run(
     if methods is not None:
         with as_problems(PLURAL):
             names = generic_methods(case.scene, methods)
-    with wrong_values(f"an extreme of {case.scene.name}: "):
+    with as_problems(of=f"an extreme of {case.scene.name}: "):
         cases = digits.extremes(case)
     if len(cases) == 1:
         hint = "its field `extremes` names none, so that only these parameters are measured"
         say(f"{case.scene.name}: {hint}")
     total = len(cases) * (1 + len(names) * len(numbers))
-    with progress(total, "digits") as advance, as_problems(), wrong_values():
+    with progress(total, "digits") as advance, as_problems(of=""):
 
         def done(kept: Kept) -> None:
             order = "" if kept.order is None else f", N = {kept.order}"

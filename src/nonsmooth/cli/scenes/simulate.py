@@ -11,7 +11,7 @@ from nonsmooth.solver.strobe import basins, diagram
 
 from ..about import Given, flag
 from ..output import Destination, drawn_by
-from ..problems import Problem, as_problems, say, wrong_values
+from ..problems import Problem, as_problems, say
 from ..progress import busy, progress
 from ..values import parse_vary, values_of
 from . import captions, tables
@@ -83,9 +83,7 @@ def _diagram(
     along = vary_from(given, vary, MOST, ":200")
     given.check_varies(along.parameter)
     case = case_from(given, **{along.parameter: along.first})
-    with (
-        as_problems(), wrong_values("--vary: "), progress(along.count, "simulate") as advance
-    ):  # fmt: skip
+    with as_problems(of="--vary: "), progress(along.count, "simulate") as advance:
         arguments = transient, cycles, lambda value: advance(f"{along.flag} = {value:g}")
         result = diagram(case, along.parameter, values_of(along), *arguments)
     ended = sum(not len(states) for states in result.states)

@@ -20,7 +20,7 @@ from nonsmooth.solver.trade import measured
 from ..about import Given
 from ..aliases import generic_methods
 from ..output import Destination, drawn_by
-from ..problems import PLURAL, Problem, as_problems, tell_none, wrong_values
+from ..problems import PLURAL, Problem, as_problems, tell_none
 from ..progress import progress
 from ..values import ORDERS, Vary, is_whole, parse_orders, values_of
 from . import tables
@@ -77,9 +77,7 @@ def _along(
         raise Problem(f"--methods: got {methods!r} beside --vary, expected one method")
     expansion = methods and methods.strip(), None if orders is None else int(orders)
     interrupt = None
-    with (
-        as_problems(PLURAL), wrong_values("--vary: "), progress(vary.count, "sweep") as advance
-    ):  # fmt: skip
+    with as_problems(PLURAL, "--vary: "), progress(vary.count, "sweep") as advance:
         try:
             result = family(
                 case, vary.parameter, values_of(vary), *expansion, functions=functions,

@@ -17,7 +17,7 @@ from nonsmooth.solver.space.tolerance import ToleranceNotMet
 
 from ..about import Given, flag
 from ..output import DATA, PICTURES, Destination, drawn_by
-from ..problems import Problem, as_problems, say, wrong_values
+from ..problems import Problem, as_problems, say
 from ..progress import progress
 from ..values import Vary, parse_vary, values_of
 from . import mode_tables
@@ -137,7 +137,7 @@ def structures_of(vary: Vary[Fraction], attached: Attached) -> list[Attached]:
     for value in values_of(vary):
         settings: dict[str, Any] = {"position": attached.a, **attached.values}
         settings[vary.parameter] = value if vary.parameter == "position" else float(value)
-        with wrong_values("--vary: "):
+        with as_problems(of="--vary: "):
             structures.append(attach(attached.structure, **settings))
     return structures
 
