@@ -25,8 +25,6 @@ from .problems import Problem
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from nonsmooth.files.api import Savable
-
     from .columns import Piece
 
 #: What data can be written as.
@@ -153,7 +151,7 @@ class Destination:
             discard_stdout()
 
     def write(
-        self, text: Text, figure: "Callable[[], Figure]", data: "Savable" = None,
+        self, text: Text, figure: "Callable[[], Figure]", data: Any = None,
         rows: "Callable[[], Sequence[Mapping[str, Any]]] | None" = None,
     ) -> None:  # fmt: skip
         """Write a result, if a file is named: its document, its data, else a picture of it.

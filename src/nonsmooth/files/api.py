@@ -10,7 +10,7 @@ import reprlib
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 from nonsmooth.solver.results.branch import Branch
 from nonsmooth.solver.results.chart import Chart
@@ -24,15 +24,11 @@ from .file_errors import FileError, other_kind, refused
 from .json_text import check_digest, parsed, sealed
 from .restore_orbits import result_in
 
-#: An orbit, a sweep or a family of any oscillator; several orbits.  Modes are saved as well.
-Savable: TypeAlias = Any
-Loaded: TypeAlias = Any
-
 #: The endings of names.
 SUFFIXES = (".json", ".csv", ".nc")
 
 
-def save(thing: Savable, path: str | Path) -> None:
+def save(thing: Any, path: str | Path) -> None:
     """Write a file, whole or not at all.
 
     Parameters
@@ -76,7 +72,7 @@ def save(thing: Savable, path: str | Path) -> None:
             netcdf.write(kind, several, temporary)
 
 
-def load(path: str | Path, scene: object = None) -> Loaded:
+def load(path: str | Path, scene: object = None) -> Any:
     """Read a file that `save` or the command line wrote.
 
     A file that was changed since is loaded with a `FileWarning` if its content is still
@@ -132,7 +128,7 @@ def _suffix(path: Path) -> str:
     return suffix
 
 
-def _restored(path: Path, document: Mapping[str, Any], scene: object) -> Loaded:
+def _restored(path: Path, document: Mapping[str, Any], scene: object) -> Any:
     """Return the result that a document holds."""
     check_digest(path, document)
     with refused(path):
