@@ -124,7 +124,7 @@ class Body:
         A[count:, :count] = balls(np.diag(-self.modal.squares))
         A[count:, count:] = balls(-self.modal.damping)
         for part, block in zip((slice(count), slice(count, None)), self._holding, strict=True):
-            A[count:, part] = A[count:, part] - block
+            A[count:, part] -= block
         try:
             s, basis = acb_mat(A.tolist()).eig(right=True)
         except ValueError:
@@ -176,7 +176,7 @@ class Body:
             springs, dampers = (
                 balls(q)[:, None] for q in (self.held.springs, self.held.dampers)
             )
-            place[:, -1] = place[:, -1] - balls(self.modal.beyond)
+            place[:, -1] -= balls(self.modal.beyond)
             reaction = place * (springs + dampers * rates)
             variables[force], variables[x] = -reaction, variables[x] - residual @ reaction
         factors, memory = rows[:, :width], rows[:, width:]

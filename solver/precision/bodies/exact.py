@@ -82,8 +82,8 @@ def _free(cell: "BodyCell", body: Body) -> Free:
     for order, which in enumerate((x, v, a)):  # Re(h (i Omega)^order e^(i theta))
         turned = balls(modal.beyond) * (acb(0, 1) * body.omega) ** order
         for row, h in zip(which, turned, strict=True):
-            rows[row, clock] = rows[row, clock] + h.real
-            rows[row, clock + 1] = rows[row, clock + 1] - h.imag
+            rows[row, clock] += h.real
+            rows[row, clock + 1] -= h.imag
     by_force = balls(np.zeros((size + memory, contacts)))
     by_force[x], by_force[force] = balls(modal.residual), balls(np.eye(contacts))
     by_force[a] = at.T @ at
@@ -104,12 +104,12 @@ def _fix(switches: list[Balls], events: list[Balls], before: Matrix, after: Matr
     for p, by_shift in enumerate(by_event):
         if any(q != 0 for q in by_shift):
             shift = moved @ by_shift / (by_shift @ by_shift)
-            switches[p] = switches[p] - shift[:, None] * events[p]
+            switches[p] -= shift[:, None] * events[p]
     _, sizes, Vh = np.linalg.svd(by_event.astype(float))
     unseen = moved @ balls(Vh[(sizes > UNSEEN * np.abs(before).max()).sum() :].T)
     if unseen.size:
         factors = solved(unseen.T @ unseen, unseen.T @ switches[-1])
-        switches[-1] = switches[-1] - unseen @ factors
+        switches[-1] -= unseen @ factors
 
 
 def _switch(cell: "BodyCell", p: int, free: Free, velocities: Balls) -> Balls:
@@ -119,7 +119,7 @@ def _switch(cell: "BodyCell", p: int, free: Free, velocities: Balls) -> Balls:
     hit, mobility, factors, constants = impulses(cell, p)
     if hit:
         right = factors[:, None] * velocities[hit]
-        right[:, clock + 2] = right[:, clock + 2] + constants
+        right[:, clock + 2] += constants
         matrix = matrix + free.B[:, hit] @ solved(mobility, right)
     sign = cell.sign if after == 0 else 1
     for i, remembered in enumerate(cell.memory):

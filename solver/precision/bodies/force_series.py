@@ -39,7 +39,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
         e = plan.first_of(p) + (plan.phases[p].pieces - 1 if side else 0)
         states = pieces[e].end if side else pieces[e].start
         rows, offset = at_end(forms, states, angles[e + side])
-        rows[:, plan.memory] = rows[:, plan.memory] + forms.memory
+        rows[:, plan.memory] += forms.memory
         return rows, offset
 
     A, right = balls(np.zeros((plan.size, plan.size))), balls(np.zeros(plan.size))
@@ -59,7 +59,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
             A[k], right[k] = A[k] + factor * event, right[k] - factor * at_event
     for index, (row, offset) in enumerate(statements(cell, body, values), plan.first_impulse):
         A[index], right[index] = -row, offset
-        A[index, index] = A[index, index] + 1
+        A[index, index] += 1
     unknowns = solved(A, right[:, None])[:, 0]
     for p, ((row,), (offset,)) in enumerate(ends):
         R[p] = row @ unknowns + offset
@@ -73,9 +73,9 @@ def _tested(law: Forms, piece: Piece, drive: Balls, plan: Any, at: int) -> tuple
     for n, states in enumerate(piece.tested(len(drive))):
         row, offset = real(law.poles @ states), real(law.turn * drive[n])
         columns = slice(at + n * contacts, at + (n + 1) * contacts)
-        row[:, columns] = row[:, columns] + law.direct / (2 * n + 1)
+        row[:, columns] += law.direct / (2 * n + 1)
         if n == 0:
-            row[:, plan.memory] = row[:, plan.memory] + law.memory
+            row[:, plan.memory] += law.memory
             offset = offset + law.constant
         rows.append(row)
         right.append(-offset)

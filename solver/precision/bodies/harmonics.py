@@ -28,7 +28,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
     equations = chain(_smooth(frame), statements(cell, frame.body, frame.values))
     for index, (row, offset) in enumerate(equations, frame.waves):
         A[index], right[index] = -row, offset
-        A[index, index] = A[index, index] + 1
+        A[index, index] += 1
     ends = []
     for p, phase in enumerate(cell.phases):
         (row,), (offset,) = frame.values(frame.body.event(phase), p, 1)
@@ -65,24 +65,23 @@ def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
         for h, eta in enumerate(frame.turns):
             for j in range(J):
                 columns = slice(j * contacts, (j + 1) * contacts)
-                term = compliance[j] * overlaps[j - h]
-                rows[h, :, columns] = rows[h, :, columns] - term
+                rows[h, :, columns] -= compliance[j] * overlaps[j - h]
             wave = (acb(0, -1) * eta * frame.ends[q]).exp() * frame.lengths[q]
             by_break[h] = law.poles @ frame.pieces[q].by_wave(eta * frame.lengths[q]) * wave
             alone = frame.integral(q, -eta)
-            rows[h, :, frame.memory :] = rows[h, :, frame.memory :] - law.memory * alone
+            rows[h, :, frame.memory :] -= law.memory * alone
             ahead, behind = (frame.integral(q, g * frame.drive - eta) for g in (1, -1))
             driven = law.turn * turn * ahead + conjugate(law.turn * turn) * behind
-            right[h] = right[h] + driven + law.constant * alone
+            right[h] += driven + law.constant * alone
         between = slice(frame.waves, frame.memory)
-        rows[:, :, between] = rows[:, :, between] - of_real(by_break)
+        rows[:, :, between] -= of_real(by_break)
     for h, eta in enumerate(frame.turns):
         for c in range(contacts):
-            rows[h, c, h * contacts + c] = rows[h, c, h * contacts + c] + 1
+            rows[h, c, h * contacts + c] += 1
         for i, (p, n, c) in enumerate(frame.breaks):
             if n and not eta.contains(0):  # the mean of a function is 0
                 term = (acb(0, 1) * eta) ** -n * (acb(0, -1) * eta * frame.ends[p]).exp()
-                rows[h, c, frame.waves + i] = rows[h, c, frame.waves + i] + term
+                rows[h, c, frame.waves + i] += term
     return rows.reshape(J * contacts, -1), right.ravel()
 
 

@@ -48,7 +48,7 @@ def answers(kappa: Any, count: int) -> Balls:
         for i in range(n, -1, -1):
             slope = 2 * (2 * i + 1) * above[(i + 1) % 2]
             coefficients[n, i] = (slope - (1 if i == n else 0)) / kappa
-            above[i % 2] = above[i % 2] + coefficients[n, i]
+            above[i % 2] += coefficients[n, i]
     return coefficients
 
 
@@ -84,7 +84,7 @@ class Piece:
         by_pole = np.array([moments(q, count) for q in self.kappa], dtype=object)
         integrals = [by_pole[:, n, None] * self.decaying for n in range(count)]
         for n in range(min(count, self.rest.shape[2])):
-            integrals[n] = integrals[n] + self.rest[:, :, n] / (2 * n + 1)
+            integrals[n] += self.rest[:, :, n] / (2 * n + 1)
         return np.array(integrals, dtype=object)
 
     def by_wave(self, turn: Any) -> Balls:
@@ -130,7 +130,7 @@ def around(
             pieces.append(Piece(s * t, state, rest))
             state = pieces[-1].end.copy()
             for column, contact in hit:
-                state[:, column] = state[:, column] + b[:, contact]
+                state[:, column] += b[:, contact]
         if turn == 0:
             grown = np.exp(s * sum(lengths, arb(0)))
             start = sign * state / (1 - sign * grown)[:, None]
@@ -144,6 +144,5 @@ def _rest(kappa: Balls, b: Balls, forces: Forces, columns: int) -> Balls:
     by_degree = np.array([answers(q, count) for q in kappa], dtype=object)
     for column, (contact, series) in forces.items():
         for n, factor in series.items():
-            term = by_degree[:, n] * (b[:, contact] * factor)[:, None]
-            rest[:, column] = rest[:, column] + term
+            rest[:, column] += by_degree[:, n] * (b[:, contact] * factor)[:, None]
     return rest
