@@ -2,11 +2,8 @@
 
 import numpy as np
 
-from ..arrays import Complex, Vector
-from ..existence.bodies import steady
-from ..scenes.bodies.cell import BodyCell
-from ..scenes.cell import Cell
-from ..simulation.lasting import response
+from ..arrays import Vector
+from ..existence.reasons import steady
 from .course import Course
 from .piece import NoStepError
 
@@ -23,7 +20,7 @@ def for_ever(course: Course, numbers: tuple[float, ...]) -> Vector:
         If there is none.
     """
     cell = course.cell(numbers)
-    states = steady(cell, 0) if isinstance(cell, BodyCell) else _steady(cell)
+    states = steady(cell, 0)
     if states is None:
         raise NoStepError
     mean, wave = states
@@ -37,12 +34,3 @@ def for_ever(course: Course, numbers: tuple[float, ...]) -> Vector:
         course.moving_at(equations, begun(angle), 0, 0.0)[1] for angle in (0.0, np.pi / 2)
     )
     return begun(float(np.arctan2(-first, second)))
-
-
-def _steady(cell: Cell) -> tuple[Vector, Complex] | None:
-    """Return mean and complex amplitude of displacement and velocity; None without them."""
-    steady_response = response(cell.phases[0], cell.omega)
-    if steady_response is None:
-        return None
-    mean, wave = steady_response
-    return np.array([mean, 0.0]), wave * np.array([1.0, 1j * cell.omega])

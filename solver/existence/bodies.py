@@ -16,7 +16,7 @@ from itertools import groupby, product
 
 import numpy as np
 
-from ..arrays import Complex, Matrix, Vector
+from ..arrays import Matrix, Vector
 from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
 from ..bodies.part import later, parts_of, phase_map, wave
@@ -258,41 +258,3 @@ def _both(cell: BodyCell, parts: Vector) -> Matrix:
     blocks = 1 + len(durations) * (2 * len(cell.body.squares)) ** 2 // ROOM
     pairs = np.concatenate([events_by_wave(cell, q) for q in np.array_split(durations, blocks)])
     return np.asarray(pairs / np.maximum(np.abs(pairs).max(axis=2, keepdims=True), TINY))
-
-
-def in_one_phase(cell: BodyCell, p: int) -> tuple[float, float, bool] | None:
-    """Return the extremes of the first contact in the forced response of phase p alone.
-
-    The third value is whether that is stable.  None if it violates a demand of the phase, or
-    the body moves freely.
-    """
-    part, phase, states = parts_of(cell)[p], cell.phases[p], steady(cell, p)
-    if states is None or not phase.demands:
-        return None
-    (still, wave), rows, n = states, part.lawful.rows, len(states[0])
-    mean = rows[:, :n] @ still + rows[:, n + 2]
-    swing = rows[:, :n] @ wave + rows[:, n] - 1j * rows[:, n + 1]
-    for _, form in phase.demands:
-        if not np.abs(form @ swing) <= form @ mean:
-            return None
-    size = float(np.abs(swing[0]))
-    return float(mean[0]) - size, float(mean[0]) + size, bool(part.flow.poles.real.max() < 0)
-
-
-def steady(cell: BodyCell, p: int) -> tuple[Vector, Complex] | None:
-    """Return mean and complex amplitude of the state in the response of phase p alone.
-
-    None if there is none, or the body moves freely.
-    """
-    lawful = parts_of(cell)[p].lawful
-    A, inputs = lawful.A, lawful.inputs
-    if lawful.still.shape[1]:
-        return None
-    try:
-        wave = np.linalg.solve(
-            1j * cell.omega * np.eye(len(A)) - A, inputs[:, 0] - 1j * inputs[:, 1]
-        )
-        mean = np.linalg.solve(A, -inputs[:, 2])
-    except np.linalg.LinAlgError:
-        return None
-    return np.asarray(mean, float), np.asarray(wave, complex)

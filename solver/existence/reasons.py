@@ -5,6 +5,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from ..arrays import Complex, Vector
+from ..bodies.part import parts_of
 from ..flow import flow
 from ..kernels.registry import names
 from ..no_orbit import NoOrbit
@@ -12,11 +16,10 @@ from ..orbit.admissible import THROUGHOUT
 from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
-from ..scenes.cell import Phase
+from ..scenes.cell import Cell, Phase
 from ..scenes.ordered import ONLY, placed
-from ..simulation.lasting import response, swing
+from ..simulation.lasting import response
 from . import two_phases
-from .bodies import in_one_phase
 from .known import Known, known
 
 #: Most refused solutions that are described.
@@ -189,16 +192,49 @@ def _resonance(case: Case, phase: Phase) -> str:
 def _within(case: Case, phase: Phase) -> tuple[float, float, bool | None] | None:
     """Return the extremes of the response of a phase to the forcing; None if it cannot last.
 
-    The third value is whether it is stable; None if perturbations neither grow nor decay.
+    Of a body those of its first contact.  The third value is whether it is stable; None if
+    perturbations of one mass neither grow nor decay.
     """
-    if isinstance(case.cell, BodyCell):
-        return in_one_phase(case.cell, case.cell.phases.index(phase))
-    harmonic = response(phase, case.cell.omega) if phase.g else None
-    if harmonic is None or not phase.demands:
+    cell, p = case.cell, case.cell.phases.index(phase)
+    states = steady(cell, p)
+    if states is None or not phase.demands:
         return None
-    mean, wave = harmonic
-    for _, form in phase.demands:
-        if form[0] * mean + form[3] < swing(form, wave, case.cell.omega):
+    still, wave = states
+    if isinstance(cell, BodyCell):
+        part = parts_of(cell)[p]
+        rows, decay = part.lawful.rows, float(part.flow.poles.real.max())
+    elif phase.g:
+        rows, decay = np.delete(np.eye(5), 3, axis=0), flow.roots(phase)[0].real
+    else:
+        return None
+    mean, swing = rows @ [*still, 0, 0, 1], rows @ [*wave, 1, -1j, 0]
+    if not all(abs(form @ swing) <= form @ mean for _, form in phase.demands):
+        return None
+    size = float(abs(swing[0]))
+    stable = decay < 0 if decay or case.scene.has_body else None
+    return float(mean[0]) - size, float(mean[0]) + size, stable
+
+
+def steady(cell: Cell, p: int) -> tuple[Vector, Complex] | None:
+    """Return mean and complex amplitude of the state in the response of phase p alone.
+
+    None if there is none, or a body moves freely.
+    """
+    if not isinstance(cell, BodyCell):
+        harmonic = response(cell.phases[p], cell.omega)
+        if harmonic is None:
             return None
-    decay = flow.roots(phase)[0].real
-    return mean - abs(wave), mean + abs(wave), decay < 0 if decay else None
+        mean, wave = harmonic
+        return np.array([mean, 0.0]), wave * np.array([1.0, 1j * cell.omega])
+    lawful = parts_of(cell)[p].lawful
+    A, inputs = lawful.A, lawful.inputs
+    if lawful.still.shape[1]:
+        return None
+    try:
+        waves = np.linalg.solve(
+            1j * cell.omega * np.eye(len(A)) - A, inputs[:, 0] - 1j * inputs[:, 1]
+        )
+        still = np.linalg.solve(A, -inputs[:, 2])
+    except np.linalg.LinAlgError:
+        return None
+    return np.asarray(still, float), np.asarray(waves, complex)
