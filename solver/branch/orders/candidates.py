@@ -5,6 +5,7 @@ A phase of duration zero is inserted or removed, by the rules of which phase may
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 
@@ -12,12 +13,7 @@ from ...scenes.orders import Order, Step, image
 from ...simulation.followers import may_follow
 from ..course import ROUNDING, Course
 from ..locate import Found
-from ..watch import (
-    END,
-    LEAST,
-    START,
-    WITHIN,
-)
+from ..watch import END, LEAST, START, WITHIN
 
 
 @dataclass(frozen=True)
@@ -82,6 +78,8 @@ class AtEvent:
         self.half = self.course.order.half_period
         states, durations = self.course.states(self.equations, y), piece.durations(y).tolist()
         self.slots = list(map(Slot, self.course.order.steps, states, durations))
+        endless = self.course.endless
+        self.orbit = Candidate(tuple(self.slots), self.half, self.angle, endless=endless)
 
     def candidates(self) -> Iterator[Candidate]:
         """Yield the candidates, those of fewer phases first."""
@@ -140,12 +138,8 @@ class AtEvent:
 
     def _from(self, p: int) -> tuple[list[Slot], float]:
         """Return the phases of one cell from phase p on, and the angle where p begins."""
-        before = [self.next_cell(slot) for slot in self.slots[:p]]
-        return [*self.slots[p:], *before], self._angle(p)
-
-    def _angle(self, p: int) -> float:
-        """Return the phase of the forcing where phase p begins."""
-        return self.angle + self.cell.omega * sum(slot.s for slot in self.slots[:p])
+        begun = next(islice(self.rotations(self.orbit), p, None))
+        return list(begun.slots), begun.angle
 
     def _without(self, p: int) -> Iterator[Candidate]:
         """Yield the order without phase p; its neighbours become one if they are alike."""
@@ -245,7 +239,7 @@ class AtEvent:
             insertions.insert(0, [])
         for inserted in insertions:
             if self.course.endless:
-                angle = self._angle(p) + self.cell.omega * time
+                angle = self.angle + self.cell.omega * time
                 yield from self._cut(inserted, Slot(ended, state, slot.s), angle)
                 continue
             first_part = replace(slot, step=ended, s=time)

@@ -43,10 +43,8 @@ def beyond(event: Found) -> tuple[Piece, Place] | None:
     at_event = AtEvent(event)
     for candidate in map(at_event.as_declared, at_event.candidates()):
         for ahead in AHEAD:
-            try:
+            with suppress(ArithmeticError, ParameterError, UnknownScene):
                 return _orbit_beyond(event, candidate, ahead)
-            except (NoStepError, ParameterError, UnknownScene, ArithmeticError):
-                continue
     return None
 
 
@@ -71,11 +69,9 @@ def doubled(event: Found) -> tuple[Piece, Place] | None:
     differences = [halves_apart(bare, direction) for direction in null_space]
     border = np.linalg.svd(np.array(differences).T)[2][0] @ null_space
     for distance in ASIDE:
-        try:
+        with suppress(ArithmeticError, ParameterError):
             y_aside = bare.corrected(y + distance * border / bare.along.weights, border)
             return _admitted(bare, y_aside, border)
-        except (NoStepError, ParameterError, ArithmeticError):
-            continue
     return None
 
 
@@ -91,10 +87,7 @@ def begun_anew(piece: Piece, place: Place, course: Course) -> list[Vector]:
     """
     every_begin = [place.y] if course == piece.course else []
     at_event = AtEvent(Found("", None, None, piece, place))
-    orbit = Candidate(
-        tuple(at_event.slots), at_event.half, at_event.angle, None, course.endless
-    )
-    for each in islice(at_event.rotations(orbit), 1, None):
+    for each in islice(at_event.rotations(at_event.orbit), 1, None):
         if each.course(piece.course) == course:
             with suppress(ArithmeticError):  # with a memory no state may belong to these times
                 z = _unknowns(at_event.event, course, each)
@@ -128,11 +121,9 @@ def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Pie
     border *= np.copysign(1.0, border[-1])
     y = _near(bare, y, border, SAME)
     for distance in (ahead, -ahead):
-        try:
+        with suppress(NoStepError):
             y_aside = bare.corrected(y + distance * border / bare.along.weights, border)
             return _admitted(bare, y_aside, distance * border)
-        except NoStepError:
-            continue
     raise NoStepError
 
 
