@@ -202,8 +202,7 @@ def bordered(along: Any, y: Vector, border: Vector, J: Matrix, scales: Vector) -
     """Fill J with the Jacobian in scaled coordinates, bordered by a row; scale its rows."""
     n = len(y) - 1
     jacobian_along(along, y[:n], y[n], J)
-    for i in range(n):
-        J[i] /= along[4]
+    J[:n] /= along[4]
     J[n] = border
     scale_rows(J, scales)
 
@@ -275,7 +274,4 @@ def tangent(along: Any, y: Vector, border: Vector) -> tuple[Vector, float]:
         if (J[j, j] < 0) == (rows[j] == j):
             sign = -sign
     solve_factorised(J, rows, direction)
-    size = 0.0
-    for j in range(n + 1):
-        size += direction[j] * direction[j]
-    return direction / sqrt(size), sign * least_pivot
+    return direction / sqrt(np.dot(direction, direction)), sign * least_pivot

@@ -59,8 +59,7 @@ def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, flo
     step, before, fall, sign = np.empty(n), np.inf, 0.0, 0.0
     for correction in range(CORRECTIONS):
         residual_and_jacobian(case, plane[3], z, step, J)
-        for i in range(n):
-            J[i] /= weights[:n]
+        J /= weights[:n]
         scale_rows(J, scales)
         if not factorise(J, rows):
             return False, fall, 0.0
@@ -119,13 +118,8 @@ def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> b
     count, before = len(case[0]), plane[5]
     values, nothing = np.empty((len(table), 3)), np.empty((0, 2))
     watched(case, table, z, values, nothing)
-    for row in range(len(values)):
-        for j in range(3):
-            if values[row, j] < 0:
-                return False
-    for p in range(count):
-        if not z[before + p] >= 0:
-            return False
+    if (values < 0).any() or not (z[before : before + count] >= 0).all():
+        return False
     reached, speed = end_rates(case, z), 0.0
     for p in range(len(reached)):
         speed = max(speed, abs(z[2 * p + 1]), abs(reached[p, 0]))
@@ -149,11 +143,7 @@ def number_of(
     Z, at, signs, _, heads, others, maps = orbits
     k = heads[point]
     while k >= 0:
-        difference = change(plane, z, Z[k])
-        largest = 0.0
-        for j in range(len(z)):
-            largest = max(largest, abs(difference[j] * plane[4][j]))
-        if largest <= SAME:
+        if np.abs(change(plane, z, Z[k]) * plane[4][: len(z)]).max() <= SAME:
             return int(k)
         k = others[k]
     i, j = divmod(point, len(A))

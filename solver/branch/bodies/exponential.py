@@ -55,11 +55,9 @@ def answers(poles: Complex, omega: float, t: float) -> Complex:
 
 def doubled(responses: Complex, poles: Complex, omega: float, t: float) -> Complex:
     """Return the `answers` after 2 t: ``e^(2a) - e^(2b) = (e^a - e^b)(e^a + e^b)``."""
-    growth, doubled_responses = np.exp(poles * t), np.empty_like(responses)
-    doubled_responses[0] = responses[0] * (growth + np.exp(1j * omega * t))
-    doubled_responses[1] = responses[1] * (growth + np.exp(-1j * omega * t))
-    doubled_responses[2] = responses[2] * (growth + 1)
-    return doubled_responses
+    waves = np.array([[np.exp(1j * omega * t)], [np.exp(-1j * omega * t)], [1 + 0j]])
+    twice: Complex = responses * (np.exp(poles * t).reshape(1, len(poles)) + waves)
+    return twice
 
 
 def by_basis(
