@@ -113,14 +113,10 @@ class Course(Itinerary):
             above 1, the phase begins without speed.
         """
         step = self.order.steps[row.phase]
-        held = self.base.kinds[step.phase][1]
-        without_speed = held or row.kind != WITHIN or self._is_of_velocity(row)
+        held, demands = self.base.kinds[step.phase][1], self._generic.phases[row.phase].demands
+        without_speed = held or row.kind != WITHIN or of_velocity(demands[row.number][1])
         without_speed = without_speed or (column == START and begins > 1)
         return "sticking" if self.can_rest and without_speed else "grazing"
-
-    def _is_of_velocity(self, row: Row) -> bool:
-        """Whether a form is of the velocity, and not of the displacement."""
-        return of_velocity(self._generic.phases[row.phase].demands[row.number][1])
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows as `watch` takes them; `numbers` are without units."""

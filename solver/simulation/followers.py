@@ -137,7 +137,7 @@ def _end_of(orbit: "Motion", p: int, angle: float, memory: tuple[float, ...]) ->
 
 
 def _numbers(node: Node) -> tuple[object, ...]:
-    return *node.equation, node.phase.speed
+    return *node.phase.equation, node.phase.speed
 
 
 def _name(node: Node) -> str:

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..arrays import Matrix
-from ..scenes.bodies.cell import BodyPhase
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
 from ..scenes.orders import Step
@@ -37,11 +36,6 @@ class Node:
         return Step(self.index, self.mirrored)
 
     @property
-    def equation(self) -> tuple[object, ...]:
-        """The coefficients of its equation of motion, to compare."""
-        return self.phase.equation
-
-    @property
     def jumps(self) -> bool:
         """Whether the velocity jumps at its event, whose form does not depend on it."""
         return self.phase.event[1] == 0 and self.changes_velocity
@@ -49,9 +43,7 @@ class Node:
     @property
     def changes_velocity(self) -> bool:
         """Whether the velocity jumps at its event."""
-        q = self.phase
-        jumps = q.jumps if isinstance(q, BodyPhase) else ((q.rho, q.d),)
-        return any(jump != (1.0, 0.0) for jump in jumps)
+        return any(jump != (1.0, 0.0) for jump in self.phase.jumps)
 
 
 def nodes(cell: Cell) -> tuple[Node, ...]:
@@ -92,7 +84,8 @@ class InState(NamedTuple):
 def ending(nodes: Sequence[Node], p: int, surface: int) -> int:
     """Return the phase of the same equation whose event is a surface; `NONE` without one."""
     turn = (q for q in (p, *range(len(nodes))) if nodes[q].event == surface)
-    return next((q for q in turn if nodes[q].equation == nodes[p].equation), NONE)
+    alike = (q for q in turn if nodes[q].phase.equation == nodes[p].phase.equation)
+    return next(alike, NONE)
 
 
 def firsts(cell: Cell, nodes: Sequence[Node]) -> list[Step]:
@@ -105,7 +98,7 @@ def firsts(cell: Cell, nodes: Sequence[Node]) -> list[Step]:
     steps = []
     for node in nodes:
         phase, own = node.phase, node.step if node.index in setters else None
-        law = own, node.equation, phase.speed, phase.jumps, node.event
+        law = own, phase.equation, phase.speed, phase.jumps, node.event
         demands = frozenset(form for _, form in phase.demands)
         steps.append(found.setdefault((*law, demands), node.step))
     return steps

@@ -60,7 +60,7 @@ def _goes_on(machine: Machine, one: Segment, two: Segment) -> bool:
     if one.step is None or any(memory.phase == two.index for memory in machine.cell.memory):
         return False
     node = machine.node(one.step)
-    equal = node.equation == machine.node(two.began).equation
+    equal = node.phase.equation == machine.node(two.began).phase.equation
     return equal and not node.changes_velocity
 
 
@@ -104,4 +104,4 @@ def _same(one: Segment, two: Segment, near: float, size: float) -> bool:
 
 
 def _equation(cell: Cell, segment: Segment) -> tuple[object, ...]:
-    return machine_of(cell).node(segment.began).equation
+    return machine_of(cell).node(segment.began).phase.equation

@@ -264,7 +264,8 @@ class AtEvent:
 
     def _alike(self, one: Step, other: Step) -> bool:
         """Whether two phases have the same equation."""
-        return self.machine.node(one).equation == self.machine.node(other).equation
+        first, second = (self.machine.node(step).phase for step in (one, other))
+        return first.equation == second.equation
 
     def _may(self, one: Step, other: Step) -> bool:
         return may_follow(self.machine, one, other)

@@ -8,7 +8,7 @@ import numpy as np
 from ...arrays import Matrix
 from ...bodies.laws import Free, free, places
 from ...bodies.modal import Modal
-from ...bodies.part import Part, parts_of
+from ...bodies.part import Part, generator_of, parts_of
 from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ..nodes import Node
 from ..steps.locate import NOISE
@@ -60,19 +60,14 @@ def regimes(cell: BodyCell, nodes: Sequence[Node]) -> tuple[Regime, ...]:
         If a law does not fix its force, or a phase has no eigenbasis.
     """
     phases = tuple(q.phase for q in nodes if isinstance(q.phase, BodyPhase))
-    all_phases = replace(cell, phases=phases, sign=1)
-    return tuple(map(_regime, phases, parts_of(all_phases), [cell] * len(phases)))
-
-
-def _regime(phase: BodyPhase, part: Part, cell: BodyCell) -> Regime:
-    lawful, free_body = part.lawful, free(cell.body, cell.omega, len(cell.memory))
-    states, width = len(lawful.A), lawful.rows.shape[1]
-    generator = np.zeros((width, width))
-    generator[:states] = np.hstack([lawful.A, lawful.inputs])
-    generator[states, states + 1], generator[states + 1, states] = -cell.omega, cell.omega
-    x, v, *_ = places(len(lawful.force))
-    contacts = np.array([lawful.rows[x], lawful.rows[v], lawful.force])
-    return Regime(phase, part, cell.body, free_body, generator, contacts)
+    free_body = free(cell.body, cell.omega, len(cell.memory))
+    x, v, *_ = places(cell.body.at.shape[1])
+    found = []
+    for phase, part in zip(phases, parts_of(replace(cell, phases=phases, sign=1)), strict=True):
+        rows, generator = part.lawful.rows, generator_of(part, cell.omega)
+        contacts = np.array([rows[x], rows[v], part.lawful.force])
+        found.append(Regime(phase, part, cell.body, free_body, generator, contacts))
+    return tuple(found)
 
 
 def slowest_decay(cell: BodyCell) -> float:
