@@ -1,14 +1,17 @@
 """The equations of a cell along a parameter: arrays whose entries are Chebyshev series."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..arrays import Integers, Matrix, Vector
-from ..scenes.cell import Cell, Form, Phase
+from ..scenes.bodies.cell import BodyCell
+from ..scenes.cell import Cell, Form
 from ..scenes.mirror import mirror, same
+from ..simulation.followers import vanishing
+from ..simulation.machines import machine_of
 
 #: Terms of a series; size of terms that are rounding, relative to the largest.
 TERMS, ROUNDING = 24, 1e-15
@@ -173,80 +176,46 @@ def weights(cell: Cell, z: Vector) -> Vector:
     return 1 / sizes
 
 
-def divided_phases(cell: Cell, durations: Vector) -> Integers:
-    """Return 1 for each phase whose event row is divided by its duration, else 0.
+def divided_phases(cells: Sequence[Cell], durations: Vector) -> Integers:
+    """Return by which power of its duration the event row of each phase is divided, 0 to 3.
 
-    These begin on the surface where they end.  If all phases of a cell do, the longest keeps
-    its row: else no equation puts the orbit on the surface.
+    By 1 for phases that begin on the surface where they end.  If all phases of a cell do, the
+    longest keeps its row: else no equation puts the orbit on the surface.  By 2 or 3 where, in
+    all of some cells, so many of the event and its rates vanish as the phase begins.
     """
-    count = len(cell.phases)
-    divided = np.array([returns(cell, p) for p in range(count)], dtype=np.int64)
+    cell, machines = cells[0], list(map(machine_of, cells))
+    returning = np.array([returns(cell, p) for p in range(len(cell.phases))], dtype=np.int64)
+    divided = returning.copy()
     if divided.all():
-        divided[int(np.argmax(durations[:count]))] = 0
+        divided[int(np.argmax(durations[: len(divided)]))] = 0
+    for p in np.flatnonzero(divided == returning).tolist():
+        if changes_by_forces(cell, p) and vanishing(machines[0], p) > 1:
+            least = min(vanishing(machine, p) for machine in machines)
+            divided[p] = least if least > 1 else divided[p]
     return divided
 
 
 def returns(cell: Cell, p: int) -> bool:
     """Whether a phase begins on the surface where it ends, without a leap of the form."""
-    before, phase = earlier(cell, p, 1), cell.phases[p]
+    before, phase = cell.phases[p - 1], cell.phases[p]
+    before = mirror(before) if p == 0 and cell.sign < 0 else before
     width = phase.width
     remembers = any(phase.event[width:]) or any(before.event[width:])
     leaps = remembers or before.leaps(phase.event)
     return same(before.event[:width], phase.event[:width]) and not leaps
 
 
-def begins_still(cell: Cell, p: int) -> bool:
-    """Whether a phase begins without speed, and the surface where it ends does not move."""
-    before, event = cell.phases[p - 1], cell.phases[p].event
-    return (before.rho, before.d) == (0.0, 0.0) and not any(event[1:3])
+def changes_by_forces(cell: Cell, p: int) -> bool:
+    """Whether the change of an event over a phase is known where its first rates vanish.
 
-
-def begins_slowly(cell: Cell, p: int) -> bool:
-    """Whether a phase begins without speed and acceleration, and ends where that is so again.
-
-    It follows a rest that ended because the holding force, that of the phase, reached a limit.
-    It ends without speed, or where the mass rested.
+    For one mass see `extended.divided_event`: of the displacement alone, or the velocity.
     """
-    before, phase = earlier(cell, p, 1), cell.phases[p]
-    at_rest = before.held and before.speed == before.d == 0
-    if phase.held or not (at_rest and phase.g) or cell.memory:
-        return False
-    force = -phase.k, 0.0, phase.g, phase.f
-    if of_speed(cell, p):
-        return same(before.event, force)
-    slope, *varying, constant = phase.event
-    if any(varying) or not same(earlier(cell, p, 2).event, phase.event):
-        return False
-    force_at_surface = 0.0, 0.0, phase.g, phase.f + phase.k * constant / slope
-    return same(before.event, force) or same(before.event, force_at_surface)
-
-
-def begins_as_set(cell: Cell, p: int) -> bool:
-    """Whether a phase begins without speed on the surface that the memory it sets defines."""
-    before, event = earlier(cell, p, 1), cell.phases[p].event
-    if not event[0] or any(event[1:3]) or before.event[0] or any(before.event[2:]):
-        return False
-    terms, sets_memory = [np.array(event[:4])], False
-    for factor, memory in zip(event[4:], cell.memory, strict=True):
-        if factor:
-            sets_memory = memory.phase == p
-            terms.append(factor * np.array(memory.value[:4]))
-    sizes = np.abs(terms).max(axis=0)
-    return sets_memory and bool((np.abs(np.sum(terms, axis=0)) <= EQUAL * sizes).all())
-
-
-def of_speed(cell: Cell, p: int) -> bool:
-    """Whether a phase ends without speed."""
-    event = cell.phases[p].event
-    return bool(event[1]) and not any((event[0], *event[2:]))
+    phase = cell.phases[p]
+    x, v, cosine, *further = phase.event
+    of_one = not (v or cosine) or not any((x, cosine, *further))
+    return isinstance(cell, BodyCell) or (of_one and not phase.held)
 
 
 def of_velocity(form: Form) -> bool:
     """Whether a form is of the velocity, and not of the displacement."""
     return form[0] == 0 != form[1]
-
-
-def earlier(cell: Cell, p: int, by: int) -> Phase:
-    """Return the phase `by` before phase p, mirrored if it is in the half period before."""
-    phase = cell.phases[(p - by) % len(cell.phases)]
-    return mirror(phase) if p < by and cell.sign < 0 else phase

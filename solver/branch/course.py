@@ -26,11 +26,7 @@ from .along import (
     Along,
     Content,
     Interval,
-    begins_as_set,
-    begins_slowly,
-    begins_still,
     divided_phases,
-    of_speed,
     of_velocity,
     resolved,
     weights,
@@ -193,14 +189,7 @@ class Course(Itinerary):
         `z` are unknowns of typical size, `other_cells` the cells at `Interval.some`.
         """
         cell_arrays, before = arrays(cell), 2 * len(cell.phases) + len(cell.memory)
-        divided, cells = divided_phases(cell, z[before:]), (cell, *other_cells)
-        for p in range(len(cell.phases)):
-            begins = begins_still if divided[p] else begins_slowly
-            if all(begins(each, p) for each in cells):
-                slowly = not (divided[p] or of_speed(cell, p))
-                divided[p] = 3 if slowly else 2
-            elif all(begins_as_set(each, p) for each in cells):
-                divided[p] = 2
+        divided = divided_phases((cell, *other_cells), z[before:])
         arguments = cell_arrays.kinds, cell_arrays.setting, series, divided, weights(cell, z)
         return Along(*arguments, before, float(cell.sign))
 

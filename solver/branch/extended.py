@@ -7,7 +7,7 @@ weight.
 
 Where a phase begins on the surface at which it ends, the row of its event vanishes with its
 duration.  The change of the event's form over the phase is then divided by the duration; twice,
-where the phase begins without speed (see `Course.framed`).
+where the phase begins without speed (see `along.divided_phases`).
 
 Plain Python, or compiled by numba with the exact equations.
 """

@@ -25,8 +25,9 @@ if TYPE_CHECKING:
 #: Rounding of the remainder of a form in `_constant`, relative to its coefficients.
 ROUNDING = 1e-10
 
-#: Number of derivatives of a demand that are checked behind a switch, from order 0.
-HIGHEST = 4
+#: Number of derivatives of a demand that are checked behind a switch, from order 0; and of an
+#: event.
+HIGHEST, OF_AN_EVENT = 4, 3
 
 
 def may_follow(machine: Machine, one: Step, other: Step) -> bool:
@@ -56,6 +57,30 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
                 return False
             row = row @ in_state.generator
     return True
+
+
+def vanishing(machine: Machine, p: int) -> int:
+    """Return how many of an event and its first two rates vanish where its phase begins.
+
+    Phase p follows the one before it in the cell.  They vanish by the event of that, by what it
+    holds, as a rest is where it began, and by the memory that phase p sets.
+    """
+    cell, state, phase = machine.cell, machine.in_state(p), machine.nodes[p].phase
+    before, earlier = (
+        machine.node(Step((p - by) % len(cell.phases), p < by and cell.sign < 0))
+        for by in (1, 2)
+    )
+    row, count = _row(state, phase.event), 0
+    known = [*_known(before, machine.in_state(machine.number(before.step)))]
+    at_rest = before.phase.held and before.phase.speed == 0
+    if at_rest and earlier.event == machine.nodes[p].event and not any(phase.event[1:3]):
+        known.append(row)
+    for i, memory in enumerate(cell.memory, phase.width):
+        if memory.phase == p:
+            known.append(state.rows[i] - _row(state, memory.value))
+    while count < OF_AN_EVENT and _constant(row, np.array(known), state.one) == 0.0:
+        row, count = row @ state.generator, count + 1
+    return count
 
 
 def _row(state: InState, form: Form) -> Vector:

@@ -10,8 +10,6 @@ from ...bodies.part import Part, generator_of, parts_of
 from ...bodies.systems import BodyError
 from ...scenes.bodies.cell import BodyCell
 from ...scenes.cell import Form
-from ...scenes.mirror import same
-from ..along import earlier
 
 
 def in_order(cell: BodyCell, rows: Matrix) -> Matrix:
@@ -38,36 +36,6 @@ def arrays(cell: BodyCell, forms: Sequence[Form]) -> list[Matrix]:
         np.array([cell.sign, cell.omega, cell.duration if cell.forced else 0.0]),
         np.array(forms, dtype=float).reshape(-1, width),
     ]
-
-
-#: Size of entries of a form that are rounding, relative to the largest.
-FLAT = 1e-11
-
-
-def begins_slowly(cell: BodyCell, p: int) -> int:
-    """Return how many of an event and its first two rates vanish where its phase begins.
-
-    They do if they are combinations of what is known at the end of the phase before: its event,
-    and if it is held, its speed and, without speed, its place.
-    """
-    generators, switches, events, motion_rows, *_ = arrays(cell, [])
-    before, mirrored = cell.phases[p - 1], np.ones(len(events[0]))
-    if p == 0:
-        mirrored[:-1] = cell.sign
-    known = [events[p - 1]]
-    if before.held:
-        known.append(motion_rows[p - 1, 1] - before.speed * np.eye(len(mirrored))[-1])
-    through = mirrored[:, None] * switches[p - 1]
-    rates = [events[p]]
-    for _ in range(2):
-        rates.append(rates[-1] @ generators[p])
-    forms, sizes = np.array(rates) @ through, np.abs(rates).max(axis=1, keepdims=True)
-    alike = same(earlier(cell, p, 2).event, cell.phases[p].event)
-    if before.held and before.speed == 0 and alike and not any(cell.phases[p].event[1:3]):
-        known.append(forms[0])
-    remainder = forms - forms @ np.linalg.pinv(np.array(known)) @ np.array(known)
-    zero = (np.abs(remainder) <= FLAT * sizes).all(axis=1)
-    return int(np.cumprod(zero).sum())
 
 
 #: Relative difference of rates that do not depend on the parameter.

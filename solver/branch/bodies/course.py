@@ -16,10 +16,10 @@ from ...orbit.exact_orbit import ExactOrbit, from_times
 from ...scenes.case import Case
 from ...scenes.cell import Form
 from .. import walk
-from ..along import SMALL, Along, divided_phases, returns
+from ..along import SMALL, Along, divided_phases
 from ..course import Course, Row
 from . import equations, exponential, factors, watched, ways
-from .arrays import arrays, begins_slowly, case_of, in_order, known_of
+from .arrays import arrays, case_of, in_order, known_of
 
 #: Most phases of an order that is followed, for each contact.
 MOST = 8
@@ -70,11 +70,7 @@ class BodyCourse(Course):
         weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
         weights[states : states + count] = 1 / float(z[states : states + count].sum())
         cells, width = [cell, *other_cells], np.array([states + 3])
-        divided = divided_phases(cell, z[states:])
-        for p in range(count):
-            is_singular = divided[p] or not returns(cell, p)
-            order = min(begins_slowly(each, p) for each in cells) if is_singular else 0
-            divided[p] = order if order > 1 else divided[p]
+        divided = divided_phases(cells, z[states:])
         varying, known = known_of(cell, cells[1:], series)
         arguments = kinds, width, varying, divided, weights, states, float(cell.sign)
         return Along(*arguments, known)

@@ -294,8 +294,8 @@ MUTANTS = (
     ),
     Mutant(
         "a slip of a body that vanishes has its event divided never",
-        "solver/branch/bodies/course.py",
-        "            divided[p] = order if order > 1 else divided[p]\n",
+        "solver/branch/along.py",
+        "            divided[p] = least if least > 1 else divided[p]\n",
         "            divided[p] = 0\n",
         (f"{ENDS}::test_a_slip_vanishes_where_friction_just_holds",),
     ),
@@ -377,9 +377,9 @@ MUTANTS = (
     ),
     Mutant(
         "a flight that begins without speed has its event divided once",
-        "solver/branch/course.py",
-        "divided[p] = 3 if slowly else 2\n",
-        "divided[p] = 3 if slowly else divided[p]\n",
+        "solver/branch/along.py",
+        "divided[p] = least if least > 1 else divided[p]",
+        "divided[p] = least if least > 2 else divided[p]",
         (f"{EVENTS}::test_what_happens_is_located_to_rounding",),
     ),
     Mutant(

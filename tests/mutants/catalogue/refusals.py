@@ -104,7 +104,7 @@ MUTANTS = (
     Mutant(
         "a motion that leaves its phase is one without switches",
         "solver/existence/reasons.py",
-        "if form[0] * mean + form[3] < swing(form, wave, case.cell.omega):",
+        "if not all(abs(form @ swing) <= form @ mean for _, form in phase.demands):",
         "if False:",
         NONE,
     ),
