@@ -8,7 +8,7 @@ import numpy as np
 from ..arrays import Indices, Vector
 from ..branch.follow import CLOSED, RANGE
 from ..branch.locate import TURNED
-from ..branch.walk import FLIP, MEETS, OWN, PAIRS
+from ..branch.walk import FOLD, MEETS, OUTSIDE, OWN, PAIRS
 from ..stability.stability import stability
 from .block import by
 from .lines import Happening
@@ -33,13 +33,10 @@ ON = 1e-8
 LOST, VIOLATED = "it cannot be followed", "beyond, its orbits are not admissible"
 REAL = "beyond, the multipliers whose product is 1 are real"
 
-#: The monitors of events of the orbit as a whole, counted from the last.
-MONITORS = {
-    kind: which - OWN
-    for kind, which in (
-        ("fold", MEETS), ("branch-point", MEETS), ("torus", PAIRS), ("flip", FLIP),
-    )
-}  # fmt: skip
+#: Monitors that vanish on a curve in place of those at an event of a branch; and that of a
+#: pair of multipliers.  Both are counted from the last.
+TORUS = PAIRS - OWN
+ON_CURVE = {FOLD - OWN: MEETS - OWN, OUTSIDE - OWN: TORUS}
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,17 +69,15 @@ def curves_of(happened: Iterable[Happening], planes: Sequence[Plane]) -> list[Cu
 
 def _monitor_of(plane: Plane, event: Happening) -> int | None:
     """Return which monitor of a plane vanishes at an event; None without such a one."""
-    what, number = event.monitor
-    if isinstance(what, str):
-        return MONITORS[what]
-    if what is None:
-        return 3 * len(plane.rows) + number
-    return 3 * plane.rows.index(what) + number if what in plane.rows else None
+    row, number = event.monitor
+    if row is None:
+        return ON_CURVE.get(number, number)
+    return 3 * plane.rows.index(row) + number if row in plane.rows else None
 
 
 def _followed(kind: str, plane: Plane, monitor: int, y: Vector, across: int) -> list[Curve]:
     """Return the curve through an event; none if it cannot be followed at all."""
-    first, direction, monitors = _pinned(plane, monitor, y, _unit(len(y), across))
+    first, direction, monitors = _pinned(plane, monitor, y, np.eye(len(y))[across - 2])
     if first is None:
         return []
     watched = ~(np.abs(monitors) <= ROUNDING)  # else there is none as yet
@@ -117,7 +112,7 @@ def _way(
                 return ([*points, end], RANGE) if end is not None else (points, LOST)
             if (monitors[watched] < -ROUNDING).any():
                 accepted, growth, why = False, 1.0, VIOLATED
-            elif monitor == MONITORS["torus"] and not _turns(plane, point):
+            elif monitor == TORUS and not _turns(plane, point):
                 accepted, growth, why = False, 1.0, REAL
         if point is None or not accepted:
             length /= 2
@@ -153,7 +148,7 @@ def _edge(plane: Plane, monitor: int, y: Vector, y_outside: Vector) -> Vector | 
     index = int(np.argmin(parts))
     start = y + parts[index] * (y_outside - y)
     start[index - 2] = ends[index]
-    return _pinned(plane, monitor, start, _unit(len(y), index))[0]
+    return _pinned(plane, monitor, start, np.eye(len(y))[index - 2])[0]
 
 
 def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
@@ -171,23 +166,19 @@ def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
             return True
         if distance > MOST_SEEN:
             continue
-        point, *_ = _pinned(curve.plane, curve.monitor, y, _unit(len(y), across))
+        point, *_ = _pinned(curve.plane, curve.monitor, y, np.eye(len(y))[across - 2])
         if point is not None and abs(point[along] - at[1 - across]) <= ON:
             return True
     return False
 
 
-def _unit(size: int, which: int) -> Vector:
-    """Return the unit vector of a parameter: a border that fixes it."""
-    unit = np.zeros(size)
-    unit[which - 2] = 1.0
-    return unit
-
-
 def _pinned(
     plane: Plane, monitor: int, y: Vector, border: Vector
 ) -> tuple[Vector | None, Vector, Vector]:
-    """Return the point on a curve orthogonal to a border, or None; tangent, monitors there."""
+    """Return the point on a curve orthogonal to a border, or None; tangent, monitors there.
+
+    The unit vector of a parameter is a border that fixes it.
+    """
     count = 3 * len(plane.rows) + len(plane.series.kinds) + OWN
     point = y.copy()
     converged, *others = by("pinned", plane, monitor % count, point, border)

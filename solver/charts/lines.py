@@ -9,7 +9,7 @@ from ..arrays import Matrix, Vector
 from ..branch.branch import BothWays
 from ..branch.course import Course, Row
 from ..branch.every_way import every_way
-from ..branch.locate import OF_THE_ORBIT, Found
+from ..branch.locate import Found
 from ..branch.piece import Piece, Place
 from ..scenes.case import Case
 from .plane import Bounds
@@ -17,8 +17,9 @@ from .plane import Bounds
 #: Values on a line at which orbits are looked for.
 VALUES = 5
 
-#: What vanishes at an event: a form and where; None and the phase; or a word and 0.
-Monitor = tuple[Row | str | None, int]
+#: What vanishes at an event: a form and where; or None and which of the monitors, counted from
+#: the last.
+Monitor = tuple[Row | None, int]
 
 
 @dataclass(frozen=True)
@@ -102,10 +103,7 @@ def _point(value: float, piece: Piece, place: Place, across: int) -> Vector:
 
 def monitor_of(event: Found) -> Monitor:
     """Return what vanishes at an event."""
-    piece, i = event.piece, event.monitor
-    forms, phases = 3 * len(piece.rows), len(piece.along.kinds)
-    if i < forms:
-        return piece.rows[i // 3], i % 3
-    if i < forms + phases:
-        return None, i - forms
-    return OF_THE_ORBIT[i - forms - phases], 0
+    rows, i = event.piece.rows, event.monitor
+    if i < 3 * len(rows):
+        return rows[i // 3], i % 3
+    return None, i - len(event.place.monitors)

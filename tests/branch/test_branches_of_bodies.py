@@ -22,7 +22,7 @@ from nonsmooth.solver.branch.branch import BothWays, course_of, go, start_of
 from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.branch.rows import row_of
 from nonsmooth.solver.charts import curves, lines
-from nonsmooth.solver.charts.curves import MONITORS, REAL, _followed
+from nonsmooth.solver.charts.curves import REAL, TORUS, _followed
 from nonsmooth.solver.charts.plane import Plane
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
@@ -212,7 +212,7 @@ def test_a_torus_begins_where_its_multipliers_are_one(monkeypatch) -> None:
     plane = Plane.over(piece.course, piece.course.case(piece.case), indices, ends, z)
     first = plane.inside(np.array([[*z, torus.value, 0.65]]))[0]
     monkeypatch.setattr(curves, "MOST_SEEN", 0.15)
-    (curve,) = _followed("torus", plane, MONITORS["torus"], first, 1)
+    (curve,) = _followed("torus", plane, TORUS, first, 1)
     assert curve.why == ("the end of the range", REAL)
     pairs = []
     for y in curve.points[::2]:
