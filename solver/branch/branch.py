@@ -8,7 +8,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..arrays import Vector
 from ..existence.reasons import WithoutSwitches
 from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
@@ -242,8 +241,8 @@ def orbits_at(branch: BothWays, value: float) -> Iterator[ExactOrbit]:
             continue
         if before.course == piece.course and start != end:
             y += (value - end) / (start - end) * (in_units(before, piece, at.y) - y)
-        orbit = _exactly(piece, y, value)
-        if orbit is not None:
+        orbit = piece.orbit(y, value)
+        if orbit is not None and orbit.outcome.converged and orbit.admissible:
             yield orbit
 
 
@@ -256,12 +255,3 @@ def lasts_at(branch: BothWays, phase: str, value: float) -> bool:
         and min(start, end) <= value <= max(start, end)
         for (start, course), (end, _) in pairwise(points)
     )
-
-
-def _exactly(piece: Piece, y: Vector, value: float) -> ExactOrbit | None:
-    """Return the orbit at a value of the parameter from one close by, if it is admissible."""
-    if piece.course.endless:
-        return None
-    case = piece.case.with_value(piece.name, value)
-    orbit = piece.course.orbit(case, piece.in_units_of(case, y))
-    return orbit if orbit.outcome.converged and orbit.admissible else None

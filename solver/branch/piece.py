@@ -210,11 +210,8 @@ class Piece:
         ------
         NoStepError
         """
-        arguments = self.along, place.y, place.tangent, length
-        converged, _, y = self.course.by("stepped", *arguments)
-        if not converged:
-            raise NoStepError
-        return self.place(y, place.tangent)
+        ahead = place.y + length * place.tangent / self.along.weights
+        return self.place(self.corrected(ahead, place.tangent), place.tangent)
 
     def walk(
         self, place: Place, length: float, most: float, room: int
@@ -257,11 +254,14 @@ class Piece:
         size_of_q = half * unit_of(self.case, self.index)
         return np.append(self.course.sizes(self.cell, self.case), size_of_q)
 
-    def orbit(self, y: Vector) -> ExactOrbit | None:
-        """Return the exact orbit of a place; None of a motion of one phase that never ends."""
+    def orbit(self, y: Vector, value: float | None = None) -> ExactOrbit | None:
+        """Return the exact orbit of a place, or near it at another value of the parameter.
+
+        None of a motion of one phase that never ends.
+        """
         if self.course.endless:
             return None
-        case = self.case.with_value(self.name, self.value(y))
+        case = self.case.with_value(self.name, self.value(y) if value is None else value)
         return self.course.orbit(case, self.in_units_of(case, y))
 
     def in_units_of(self, case: Case, y: Vector) -> Vector:
