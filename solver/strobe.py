@@ -158,7 +158,7 @@ def _tails(case: Case, xs: Vector, v: float, cycles: int) -> Matrix:
     tails = np.full((len(xs), count, 2), np.nan)
     for i, x in enumerate(xs):
         start: AnyState = machine.released(float(x / units[0]), float(v / units[1]), 0.0)
-        if machine.first(start) is not None:
+        if machine.begin(start) is not None:
             states, last = _followed(case, machine, start, cycles)
             if last is not None:
                 tails[i] = states[-count:, :2]
@@ -245,7 +245,7 @@ def _taken(case: Case, machine: Machine, last: Vector | None) -> AnyState:
         else:
             x, v, *memory = (last / _units(case)).tolist()
             start = State(x, v, 0.0, memory=tuple(memory))
-        if machine.first(start) is not None:
+        if machine.begin(start) is not None:
             return start
     return machine.at_rest(0.0)
 

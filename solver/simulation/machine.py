@@ -118,11 +118,6 @@ class Machine:
         p = self.by("first_phase", state)
         return None if p == NONE else (p, self.by("begun", p, state))
 
-    def first(self, state: AnyState) -> Node | None:
-        """Return the phase in which a motion from a state begins; None if none admits it."""
-        start = self.begin(state)
-        return None if start is None else self.nodes[start[0]]
-
     def several(
         self, p: int, state: AnyState, clock: Clock, until: Fraction, most: float
     ) -> list[Passed]:
@@ -165,7 +160,7 @@ class Machine:
 
     def at_rest(self, angle: float) -> AnyState | None:
         """Return the admissible state at rest that is nearest to 0."""
-        return next((state for state in self.resting(angle) if self.first(state)), None)
+        return next((state for state in self.resting(angle) if self.begin(state)), None)
 
     def resting(self, angle: float) -> Iterator[AnyState]:
         """Yield states at 0 and at or near limits: at rest or at the speed of a held phase."""

@@ -142,7 +142,7 @@ def _followed_from(
     case: Case, machine: Machine, starts: Iterable[AnyState | None], phases: int
 ) -> Iterator[Settled]:
     """Yield the outcome of a simulation from each admissible state among some."""
-    possible = [q for q in dict.fromkeys(starts) if q is not None and machine.first(q)]
+    possible = [q for q in dict.fromkeys(starts) if q is not None and machine.begin(q)]
     for start in possible:
         yield _followed(case, start, phases // len(possible))
 

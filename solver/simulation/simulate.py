@@ -88,7 +88,7 @@ def simulate(
             raise ValueError("state: no displacement at rest is admitted, expected one")
     else:
         start = machine.released(*_given(case, state), turn)
-    if machine.first(start) is None:
+    if machine.begin(start) is None:
         raise ValueError(
             f"state: got {tuple(state or ())!r}, expected one that a phase of "
             f"{case.scene.name} takes; {machine.unmet(start)}"

@@ -63,7 +63,7 @@ def closes(orbit: ExactOrbit) -> bool:
     x, v = (float(orbit.part(0, u, j)[0]) for j in (0, 1))
     machine = Machine(case.cell)
     start = State(x, v, orbit.angle + case.cell.omega * s, memory=orbit.memory_values)
-    assert machine.first(start) is not None
+    assert machine.begin(start) is not None
     total = float(np.sum(orbit.cell_durations)) * case.cell.cells
     motion = follow(case, machine, start, total)
     names = [q.phase.name for q in motion.segments]
@@ -84,7 +84,7 @@ def settles(case, random, simulations, cycles) -> bool:
             start = machine.remembered(
                 State(*random.normal(0, 1, 2), random.uniform(0, 2 * math.pi))
             )
-            if machine.first(start) is None:
+            if machine.begin(start) is None:
                 continue
             until = cycles * cycle(each.cell)
             segments, _, ended, _ = walk(

@@ -40,7 +40,7 @@ def drawn(name, count):
     while len(found) < count:
         x, v = random.normal(0, 1, 2).tolist()
         found.append(machine.released(x, v, turn * float(random.uniform(0, 6))))
-        if machine.first(found[-1]) is None:
+        if machine.begin(found[-1]) is None:
             found.pop()
     return case, machine, found
 

@@ -342,7 +342,7 @@ def some_motions(count: int, seed: int):
                 continue
             machine = Machine(case.cell)
             start = machine.at_rest(0.0)
-            if start is not None and machine.first(start) is not None:
+            if start is not None and machine.begin(start) is not None:
                 yield case, machine, start, settle._followed(case, start, 400).words
 
 
