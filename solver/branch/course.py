@@ -203,10 +203,6 @@ class Course(Itinerary):
         """The size of the maps of perturbations that are kept with each orbit."""
         return 2 + len(self._generic.memory)
 
-    def perturbed(self, along: Along) -> int:
-        """Return the size of the map of perturbations over its cell."""
-        return self.mapped
-
     def unknowns(self, orbit: ExactOrbit) -> Vector:
         """Return those of an exact orbit, without units."""
         return orbit.outcome.unknowns

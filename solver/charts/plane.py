@@ -83,8 +83,8 @@ class Plane:
 
     @property
     def perturbed(self) -> int:
-        """The size of the map of perturbations."""
-        return self.course.perturbed(self.series)
+        """The size of the map of perturbations; of a body, of its state with its memory."""
+        return self.course.mapped or self.series.before
 
     def inside(self, points: Matrix) -> Matrix:
         """Return unknowns and parameters on the plane from those in SI units."""

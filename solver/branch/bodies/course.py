@@ -80,10 +80,6 @@ class BodyCourse(Course):
         """0: the maps of all orbits would take too much memory."""
         return 0
 
-    def perturbed(self, along: Along) -> int:
-        """Return the size of the state, with its memory."""
-        return along.before
-
     def unknowns(self, orbit: ExactOrbit) -> Vector:
         """Return those of an exact orbit, without units: its state, and its times."""
         cell: Cell = orbit.case.cell
