@@ -115,13 +115,10 @@ class Course(Itinerary):
         return "sticking" if self.can_rest and without_speed else "grazing"
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
-        """Return the forms of rows as `watch` takes them; `numbers` are without units."""
-        return self.demanded(numbers, rows, cell)
+        """Return the forms of rows as `watch` takes them; `numbers` are without units.
 
-    def demanded(
-        self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell
-    ) -> list[Form]:
-        """Return the forms of rows as a cell has them; see `before`."""
+        Here they are as a cell has them; see `before`.
+        """
         declared = self.declares(numbers)
         forms: list[Form] = []
         for row in rows:
@@ -284,7 +281,6 @@ class Course(Itinerary):
     def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
         """Return the table of rows for `watch`; `z` is an orbit that is not at an event."""
         cell, count = self.cell(numbers), len(self.order.steps)
-        forms = self.demanded(numbers, rows, cell)
         case = self.case_of(cell, self.forms(numbers, rows, cell))
         rate = max(cell.omega, 1.0 / float(z[len(z) - count - cell.forced :][:count].sum()))
         table = np.zeros((len(rows), 5), dtype=np.int64)
@@ -294,7 +290,8 @@ class Course(Itinerary):
                 sizes = np.abs(self.terms(case, z, row.phase, i)[:HIGHEST])
                 sizes /= rate ** np.arange(HIGHEST)
                 table[i, watch.BEGINS] = int(np.argmax(sizes > ROUNDING * sizes.max()))
-                table[i, watch.IS_END] = same(forms[i], cell.phases[row.phase].event)
+                phase = cell.phases[row.phase]
+                table[i, watch.IS_END] = same(phase.demands[row.number][1], phase.event)
             elif row.kind == BEHIND:
                 alike = ((q.phase, q.node) == (row.phase, row.node) for q in rows)
                 table[i, watch.INTO] = list(alike).index(True)

@@ -148,7 +148,7 @@ class BodyCourse(Course):
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, without units, for `equations.case_at`."""
         matrices = [parts_of(cell)[row.phase].lawful.rows for row in rows]
-        forms = zip(self.demanded(numbers, rows, cell), matrices, strict=True)
+        forms = zip(super().forms(numbers, rows, cell), matrices, strict=True)
         return [tuple(map(float, in_order(cell, form @ matrix))) for form, matrix in forms]
 
     def before(self, cell: Cell, node: Any, row: Row) -> Form:
