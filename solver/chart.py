@@ -61,7 +61,7 @@ class Axis:
 
 def chart(
     case: Case, axes: Mapping[str, tuple[float, float, int]], executor: Any = None,
-    seen: Callable[[str], None] = lambda done: None,
+    progress: Callable[[str], None] = lambda done: None,
 ) -> Chart:  # fmt: skip
     """Return which motion an oscillator has over two of its parameters.
 
@@ -80,7 +80,7 @@ def chart(
         Where lines and blocks of rows are computed: anything with the ``submit`` of
         `concurrent.futures`, such as pools of processes, dask's client and pools of MPI.
         Default: this process.
-    seen : callable
+    progress : callable
         Called with words when a line or a block is done; there are `number_of_tasks`.
 
     Raises
@@ -113,7 +113,7 @@ def chart(
     lines: list[Line] = []
     for line in _run(executor, line_of, tasks):
         lines.append(line)
-        seen(f"line {len(lines)} of {len(tasks)}")
+        progress(f"line {len(lines)} of {len(tasks)}")
     planes, seeds = planes_of(case, names, bounds, [each for line in lines for each in line[0]])
     A, B = (np.linspace(-1, 1, axis.count) for axis in (columns, rows))
     parts = [range(low, high + 1) for low, high in pairwise(_lines(rows.count))]
@@ -132,7 +132,7 @@ def chart(
         for part, block in zip(parts, blocks, strict=True):
             best[part] = np.minimum(best[part], block)
             done = part[-1] + 1
-            seen(f"{rows.name} = {rows.values[done - 1]:g}")
+            progress(f"{rows.name} = {rows.values[done - 1]:g}")
     except KeyboardInterrupt:
         if not done:
             raise

@@ -42,7 +42,7 @@ MOST_VALUES, MOST_CYCLES, MOST_STARTS = 10_000, 100_000, 4_000_000
 
 def diagram(
     case: Case, parameter: str, values: Iterable[float], transient: int = TRANSIENT,
-    cycles: int = KEPT, seen: Callable[[float], None] = lambda value: None,
+    cycles: int = KEPT, progress: Callable[[float], None] = lambda value: None,
 ) -> Diagram:  # fmt: skip
     """Return a bifurcation diagram: the states once a period of the forcing, at each value.
 
@@ -59,7 +59,7 @@ def diagram(
         Its values in SI units, in this order.
     transient, cycles : int
         How many periods of the forcing are dropped first, and how many are kept.
-    seen : callable
+    progress : callable
         Called with each value when it is done.
 
     Raises
@@ -93,13 +93,14 @@ def diagram(
         start = _taken(each, machine, last)
         strobed, last = _followed(each, machine, start, transient + cycles)
         states.append(strobed[transient + 1 :])
-        seen(each.values[parameter])
+        progress(each.values[parameter])
     return Diagram(case, parameter, tuple(q.values[parameter] for q in cases), tuple(states))
 
 
 def basins(
     case: Case, x: Sequence[float], v: Sequence[float], cycles: int = CYCLES,
-    executor: Executor | None = None, seen: Callable[[float], None] = lambda value: None,
+    executor: Executor | None = None,
+    progress: Callable[[float], None] = lambda value: None,
 ) -> Basins:  # fmt: skip
     """Return the basins of attraction: the attractor that each state of a grid leads to.
 
@@ -114,7 +115,7 @@ def basins(
     executor : Executor, optional
         Where the rows of the grid are computed: a pool of `concurrent.futures`, or what has
         its ``map``.  Default: this process.
-    seen : callable
+    progress : callable
         Called with the velocity of each row when it is done.
 
     Raises
@@ -142,7 +143,7 @@ def basins(
     tails = []
     for value, row in zip(vs, rows, strict=True):
         tails.append(row)
-        seen(float(value))
+        progress(float(value))
     decay = slowest_decay(every.cell) * cycle(every.cell)
     speed = every.units.of_motion(1) / every.units.length * every.cell.omega
     attractors, index = _classified(np.array(tails), decay, speed)
