@@ -119,8 +119,9 @@ class _Search:
         """Return the orbit of an order if it is within the tolerance; note the trial."""
         far = self._beyond(order)
         orbit = None if far is not None else self._orbit(order)
+        method = self.method if orbit is None else orbit.method
         errors = far if orbit is None else orbit.estimate
-        self.trials.append(Trial(shown(self.case.scene, self.method), order, errors))
+        self.trials.append(Trial(shown(self.case.scene, method), order, errors))
         within = orbit is not None and size(orbit.estimate) <= MARGIN * self.tol
         return orbit if within else None
 

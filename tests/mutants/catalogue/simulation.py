@@ -52,8 +52,8 @@ MUTANTS = (
     Mutant(
         "two surfaces near each other are taken for one",
         "solver/scenes/mirror.py",
-        "<= ROUNDING * np.abs(ratios[0])).all()",
-        "<= ROUNDING * np.abs(ratios[0])).any()",
+        "if not abs(ratio - first) <= ROUNDING * abs(first):",
+        "if not abs(ratio - first) <= abs(ratio) + abs(first):",
         SURFACES,
     ),
     Mutant(
