@@ -92,9 +92,8 @@ def kernel(
     compiles : callable
         ``compiles(account)``: whether to compile the kernel, if it can be compiled.
     """
-    count, memory = len(scene.kinds), scene.memory
-    forced, beside = scene.frequency is not None, None
-    solving, account = _of_evaluations(count, forced), None
+    memory = [(name, power) for name, _, power, _ in scene.memory]
+    solving, account, beside = (residual, jacobian, iterate), None, None
     if about(method).is_series:
         beside = functions or 0
     else:
@@ -102,38 +101,34 @@ def kernel(
         compile_it = compiles(spent)
         account = None if compile_it else spent
         linked_functions = (FAMILY.compiled if compile_it else FAMILY.plain)(events.__name__)
-        solving = [_of_arrays(linked_functions[name]) for name in SOLVING]
-    bare = _made(method, count, len(memory), forced, 0, solving)
-
-    def coefficients(z: Vector) -> dict[str, tuple[Any, int]]:
-        return {name: (z[i], power) for i, (name, _, power, _) in enumerate(memory)}
+        solving = tuple(_of_arrays(linked_functions[name]) for name in SOLVING)
+    bare = _made(method, len(scene.kinds), memory, scene.frequency is not None, 0, solving)
 
     def given(case: Any, order: int) -> Given:
         return Given(case.cell, order, beside)
 
-    return replace(bare, coefficients=coefficients, given=given, account=account)
+    return replace(bare, given=given, account=account)
 
 
 def exact_kernel(cell: "BodyCell") -> Kernel:
     """Return the kernel of the exact equations of a cell of a body."""
-    count, memory = len(cell.phases), len(cell.memory)
-    solving = _of_evaluations(count, cell.forced)
-    bare = _made("exact", count, memory, cell.forced, 2 * count, solving)
-    return replace(bare, given=lambda case, order: Given(cell, 0))
-
-
-def _of_evaluations(count: int, forced: bool) -> list[Any]:
-    """Return the functions `SOLVING` of the exact equations and of harmonics."""
-    newton = linking.linked(residual, jacobian, count, forced, FAST=events.FAST)
-    return [residual, jacobian, newton]
+    count, memory = len(cell.phases), [(each.name, each.power) for each in cell.memory]
+    solving = residual, jacobian, iterate
+    return _made("exact", count, memory, cell.forced, 2 * count, solving)
 
 
 def _made(
-    method: str, count: int, memory: int, forced: bool, states: int, solving: list[Any]
+    method: str,
+    count: int,
+    memory: list[tuple[str, int]],
+    forced: bool,
+    states: int,
+    solving: tuple[Any, ...],
 ) -> Kernel:
     """Return a kernel whose unknowns are `states` entries of states, the memories, and times.
 
     The functions `solving` are of the times alone; the other unknowns are filled in afterwards.
+    Of each memory, name and power of 1/time in its unit are given.
     """
     (times_residual, times_jacobian, newton), width = solving, count + forced
 
@@ -157,16 +152,19 @@ def _made(
         times = z[len(z) - width :]
         return motions.derivative(cell, order, times, p, u, derivative, functions)
 
+    def coefficients(z: Vector) -> dict[str, tuple[Any, int]]:
+        return {name: (z[states + i], power) for i, (name, power) in enumerate(memory)}
+
     return Kernel(
         method=method,
         durations=count,
         forced=forced,
         lowest=LOWEST,
-        size=lambda order: states + memory + width,
+        size=lambda order: states + len(memory) + width,
         residual=times_residual,
         jacobian=times_jacobian,
         motion=motion,
-        coefficients=lambda z: {},
+        coefficients=coefficients,
         iterate=iterate,
         condensed=True,
         signals=signals,
@@ -211,6 +209,17 @@ def jacobian(case: Any, times: Vector, J: Matrix) -> None:
         J[:] = _evaluated(case, times).jacobian
     except np.linalg.LinAlgError:
         J[:] = np.nan
+
+
+def times_of(case: Given) -> tuple[int, int]:
+    """Return the number of unknown durations, and of unknown phases of the forcing: 1 or 0."""
+    return len(case.cell.phases), int(case.cell.forced)
+
+
+#: Newton's method for these equations, always plain Python.
+iterate = linking.newton_with(residual, jacobian, times_of, rebuilt, FAST=events.FAST)[
+    "iterate_scene"
+]
 
 
 def _fill(case: Given, z: Vector, times: Vector, states: int) -> None:

@@ -13,7 +13,6 @@ from typing import Any
 from ...generated import hb
 from ..arrays import Complex, Matrix, Vector
 from ..iteration import by_rows, iteration, linear, single
-from ..iteration.iteration import Iteration
 from ..maps import alone, band, one_by_one, series, series_rates, together
 from ..rows import (
     breaking,
@@ -46,26 +45,6 @@ OF_NUMBERS = {"imag", "real", "shape"}.union(vars(cmath), vars(math))
 #: ``make(function, namespace, counted)``: a function over a namespace, plain or compiled;
 #: `counted` if it may allocate arrays.
 Make = Callable[[Any, dict[str, Any], bool], Any]
-
-
-def linked(
-    residual: Callable[[Any, Vector, Vector], None],
-    jacobian: Callable[[Any, Vector, Matrix], None],
-    durations: int,
-    forced: bool,
-    **constants: float,
-) -> Iteration:
-    """Return `iteration.iterate_scene` for a residual and Jacobian, as plain Python.
-
-    `constants` replace those of the module.
-    """
-
-    def times_of(case: Any) -> tuple[int, int]:
-        return durations, int(forced)
-
-    functions = newton_with(residual, jacobian, times_of, rebuilt, **constants)
-    iterate: Iteration = functions["iterate_scene"]
-    return iterate
 
 
 def newton_with(

@@ -15,7 +15,7 @@ from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import bodies, family, linking, polynomials, registry, series
 from nonsmooth.solver.kernels.compiling import rebuilt
-from nonsmooth.solver.kernels.linking import linked
+from nonsmooth.solver.kernels.linking import newton_with
 from nonsmooth.solver.kernels.start import rough_times, with_coefficients
 from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.scenes.methods import module_of
@@ -41,7 +41,8 @@ def solve(
             filled.append(z.copy())
         J[:] = jacobian(z)
 
-    iteration = linked(fill_residual, fill_jacobian, durations, forced)
+    system = fill_residual, fill_jacobian, lambda case: (durations, int(forced))
+    iteration = newton_with(*system, rebuilt)["iterate_scene"]
     return newton(iteration, None, np.array(start, dtype=float), **options)
 
 
