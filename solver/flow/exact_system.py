@@ -16,9 +16,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..iteration.iteration import iterate_scene
-from ..kernels import bodies, linking
-from ..kernels.family import Family
+from ..kernels import bodies
+from ..kernels.family import solved_by_newton
 from ..kernels.kernel import Kernel
 from ..rows import joints as joining
 from ..rows.joints import FREE, MEMORY, C, F, G, K, M, fill_angles, joint_rates, joints
@@ -116,15 +115,8 @@ def jacobian(case: Any, z: Vector, J: Matrix) -> None:
     joint_rates(case, z, at, theta, gained_by, gained_by, J, 0)
 
 
-def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
-    """Return these functions and Newton's method for them, plain or compiled."""
-    exports = linking.made((joining, divided, responses, equations), {}, make)
-    system = exports["residual"], exports["jacobian"], make(linking.times_of, exports, False)
-    return exports | {"iterate": linking.newton_with(*system, make)["iterate_scene"]}
-
-
 #: These functions, linked as plain Python or compiled, with accounts of the time they take.
-FAMILY = Family(linked, (joining, divided, responses, *linking.NEWTON), iterate_scene)
+FAMILY = solved_by_newton(joining, divided, responses)
 
 
 @lru_cache(maxsize=256)

@@ -4,12 +4,13 @@ import hashlib
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from types import ModuleType
 from typing import Any
 
+from ..iteration.iteration import iterate_scene
 from ..scenes.methods import module_of
-from . import compiling
+from . import compiling, linking
 from .account import COMPILE, Account
 from .compiling import Entries, rebuilt
 from .kernel import Kernel, for_others
@@ -112,3 +113,9 @@ class Family:
         if self.entry is not None:
             self.account_of(name).is_compiled = True
         return Entries(self.inner(name))
+
+
+def solved_by_newton(*modules: ModuleType) -> Family:
+    """Return the family of modules of equations that are linked with these alone."""
+    link = partial(linking.solved_by_newton, modules)
+    return Family(link, modules + linking.NEWTON, iterate_scene)

@@ -64,10 +64,10 @@ def times_of(case: Any) -> tuple[int, int]:
     return len(case[0]), 1 if case[4][2] != 0 else 0
 
 
-def over_the_period(
+def solved_by_newton(
     modules: tuple[types.ModuleType, ...], equations: types.ModuleType, make: Make
 ) -> dict[str, Any]:
-    """Return the functions of modules and a generated one, with Newton's method for them."""
+    """Return the functions of modules and one of equations, with Newton's method for them."""
     functions = made((*modules, equations), {}, make)
     system = functions["residual"], functions["jacobian"], make(times_of, functions, False)
     return functions | {"iterate": newton_with(*system, make)["iterate_scene"]}

@@ -1,27 +1,18 @@
 """Kernels of motions that are one series over the period: one for all scenes of a method."""
 
 from dataclasses import dataclass
-from functools import partial
-from types import ModuleType
 from typing import Any, ClassVar
 
 from ..arrays import Vector
-from ..iteration import iteration
 from ..scenes.arrays import arrays_of
 from ..scenes.case import Case
 from ..scenes.loaded import LoadedScene
 from ..scenes.methods import about
 from . import linking
-from .family import Family
+from .family import Family, solved_by_newton
 
-
-def _family(modules: tuple[ModuleType, ...]) -> Family:
-    """Return the family of methods over these modules."""
-    link = partial(linking.over_the_period, modules)
-    return Family(link, modules + linking.NEWTON, iteration.iterate_scene)
-
-
-FAMILY, ONE_FUNCTION = _family(linking.SERIES), _family(linking.WITH_ONE)
+FAMILY = solved_by_newton(*linking.SERIES)
+ONE_FUNCTION = solved_by_newton(*linking.WITH_ONE)
 
 
 @dataclass(frozen=True)
