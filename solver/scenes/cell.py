@@ -118,6 +118,12 @@ class Phase:
             switch_demands=tuple((words, put(form)) for words, form in self.switch_demands),
         )
 
+    def with_factors(self, put: Callable[[Form], Form]) -> Self:
+        """Return the phase with its factors of the memories replaced by ``put(factors)``."""
+        width = self.width
+        phase = self.with_forms(lambda form: (*form[:width], *put(form[width:])))
+        return replace(phase, memory=put(self.memory))
+
 
 @dataclass(frozen=True)
 class Memory:
@@ -191,13 +197,8 @@ class Cell:
         Before the switch that sets a memory, its value is that of the cell before: `sign` times
         that of this cell.  The factors in `phases` include this sign; those returned do not.
         """
-        phase = self.phases[p]
-        width, signs = phase.width, [self.sign if p < each.phase else 1 for each in self.memory]
-
-        def put(form: Form) -> Form:
-            return (*form[:width], *map(mul, form[width:], signs))
-
-        return replace(phase.with_forms(put), memory=tuple(map(mul, phase.memory, signs)))
+        signs = [self.sign if p < each.phase else 1 for each in self.memory]
+        return self.phases[p].with_factors(lambda factors: tuple(map(mul, factors, signs)))
 
     def followers(self, p: int) -> tuple[tuple[int, bool], ...]:
         """Return the phases that the scene declares to follow phase `p`, and whether mirrored.

@@ -189,15 +189,10 @@ def memory_columns(setters: Sequence[int], order: Order, p: int) -> list[tuple[i
 def _with_columns(phase: Phase, columns: Sequence[tuple[int, int]], count: int) -> Phase:
     """Return a phase with its factors of declared memories moved to `columns` of `count`."""
 
-    def put(factors: Sequence[float]) -> tuple[float, ...]:
+    def put(factors: Form) -> Form:
         moved = [0.0] * count
         for factor, (column, sign) in zip(factors, columns, strict=False):
             moved[column] += sign * factor
         return tuple(moved)
 
-    width = phase.width
-
-    def form(row: Form) -> Form:
-        return (*row[:width], *put(row[width:]))
-
-    return replace(phase.with_forms(form), memory=put(phase.memory))
+    return phase.with_factors(put)
