@@ -11,7 +11,6 @@ from ..iteration.newton import Outcome
 from ..kernels import registry
 from ..kernels.kernel import Kernel
 from ..kernels.start import RoughTimes, solved
-from ..scaling import product_of_powers
 from ..scenes.case import Case
 from ..simulation.followers import not_followed
 from . import admissible
@@ -94,8 +93,7 @@ class Solution(Shown):
         for name, (values, power) in self._kernel.coefficients(self.unknowns).items():
             if name in memory:
                 continue
-            unit = product_of_powers(units.length, (units.time, -power))
-            coefficients[name] = (np.asarray(values, dtype=float) * unit).tolist()
+            coefficients[name] = (np.asarray(values) * units.of_motion(power)).tolist()
         return coefficients
 
     @cached_property

@@ -3,14 +3,13 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from numbers import Integral
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from ...nearest import nearest, one_of
 from .cell import Cell
 from .dimensionless import Units, UnitsError, units_of
-from .parameter_error import ParameterError, is_number, repeated
+from .parameter_error import ParameterError, is_number, repeated, whole
 
 if TYPE_CHECKING:
     from ..exact import ExactOrbit
@@ -201,12 +200,13 @@ def index_of(case: Case, parameter: str) -> int:
 
 def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
     """Return the error in the number of periods of the forcing, if there is one."""
-    whole = isinstance(cycles, Integral) and not isinstance(cycles, bool)
-    if not (whole and 1 <= cycles <= MOST_CYCLES):  # type: ignore[operator]
-        expected = f"a whole number from 1 to {MOST_CYCLES}"
-    elif scene.frequency is None and cycles != 1:
+    try:
+        count = whole("cycles", cycles, 1, MOST_CYCLES)
+    except ValueError as error:
+        return [str(error)]
+    if scene.frequency is None and count != 1:
         expected = f"1: nothing forces {scene.name}"
-    elif scene.half_period and cycles % 2 == 0:  # type: ignore[operator]
+    elif scene.half_period and count % 2 == 0:
         expected = f"an odd number: x(t + T/2) = -x(t) in {scene.name}"
     else:
         return []
