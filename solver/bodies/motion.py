@@ -1,7 +1,7 @@
 """The motion of the contacts of a body and its derivatives: exact or by an expansion."""
 
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -22,38 +22,48 @@ if TYPE_CHECKING:
 VARIABLES = 0, 1, places(1)[3][0]
 
 
-def signals(
-    cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, functions: int | None = None
-) -> Matrix:
+class Given(NamedTuple):
+    """First argument of a kernel's functions.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    order : int
+        N; 0 for the exact equations.
+    functions : int, optional
+        Number of functions added to the harmonics at each switch; None for the force series.
+    """
+
+    cell: "BodyCell"
+    order: int
+    functions: int | None = None
+
+
+def signals(given: Given, times: Vector, p: int, u: Vector) -> Matrix:
     """Return the variables of forms on phase `p`, at local times in [0, 1].
 
-    Shape (S, len(u)); the forces are by their laws.  `order` 0 is the exact motion.  If
-    `functions` is a number, the motion is that of harmonics, else of the force series.
+    Shape (S, len(u)); the forces are by their laws.
     """
-    u = np.asarray(u, dtype=float)
-    if order == 0:
+    cell, u = given.cell, np.asarray(u, dtype=float)
+    if given.order == 0:
         rows = parts_of(cell)[p].lawful.rows
         count = len(rows) - len(cell.memory)
         return exact.seen(cell, times, p, u, rows[:count])
-    forms = _layout(cell, order, functions).phases[p].seen
-    return _seen(cell, order, functions, times, p, u, forms)
+    return _seen(given, times, p, u, _layout(given).phases[p].seen)
 
 
-def derivative(
-    cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, number: int,
-    functions: int | None = None,
-) -> Vector:  # fmt: skip
+def derivative(given: Given, times: Vector, p: int, u: Vector, number: int) -> Vector:
     """Return a derivative of the first contact's displacement by time on phase `p`.
 
     Beyond the second, derivatives of the forces are by their laws as well.
     """
-    u, variable = np.asarray(u, dtype=float), VARIABLES[min(number, 2)]
-    if order:
-        layout_ = _layout(cell, order, functions)
+    cell, u, variable = given.cell, np.asarray(u, dtype=float), VARIABLES[min(number, 2)]
+    if given.order:
+        layout_ = _layout(given)
         forms = layout_.phases[p].seen.some([variable])
         for _ in range(number - 2):
             forms = layout_.poles.rate(forms, layout_.phases[p].force)
-        return np.asarray(_seen(cell, order, functions, times, p, u, forms)[0])
+        return np.asarray(_seen(given, times, p, u, forms)[0])
     part = parts_of(cell)[p]
     row = part.lawful.rows[variable]
     for _ in range(number - 2):
@@ -61,25 +71,25 @@ def derivative(
     return np.asarray(exact.seen(cell, times, p, u, row[None])[0])
 
 
-def _layout(cell: "BodyCell", order: int, functions: int | None) -> Layout:
+def _layout(given: Given) -> Layout:
+    cell, order, functions = given
     return layout(cell, order) if functions is None else for_harmonics(cell)
 
 
-def _seen(
-    cell: "BodyCell", order: int, functions: int | None, times: Vector, p: int, u: Vector,
-    forms: Forms,
-) -> Matrix:  # fmt: skip
+def _seen(given: Given, times: Vector, p: int, u: Vector, forms: Forms) -> Matrix:
     """Return forms of poles, forcing and memory at local times of a phase."""
+    cell, order, functions = given
     theta = angles_of(cell, times)[p] + cell.omega * float(times[p]) * u
-    fixed = forms.at(theta, memory_of(cell, order, functions, times))
+    fixed = forms.at(theta, memory_of(given, times))
     if functions is None:
         return fixed + _along(cell, order, times, p, u, forms.poles)
     z = harmonics.along(harmonics.evaluated(cell, order, functions, times), p, u)
     return np.asarray(fixed + (forms.poles @ z).real)
 
 
-def memory_of(cell: "BodyCell", order: int, functions: int | None, times: Vector) -> Vector:
+def memory_of(given: Given, times: Vector) -> Vector:
     """Return the memories of a cell, by the force series or harmonics."""
+    cell, order, functions = given
     if not cell.memory:
         return np.empty(0)
     if functions is None:

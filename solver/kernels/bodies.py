@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from ..bodies.force_series import (
 )
 from ..bodies.force_series.layout import setting
 from ..bodies.harmonics import system as harmonics
+from ..bodies.motion import Given
 from ..bodies.part import parts_of
 from ..iteration.many import converged
 from ..scenes.methods import about
@@ -37,23 +38,6 @@ ROOM = 2_000_000
 
 #: Lowest order: a line on each phase, one harmonic.
 LOWEST = 1
-
-
-class Given(NamedTuple):
-    """First argument of a kernel's functions.
-
-    Parameters
-    ----------
-    cell : BodyCell
-    order : int
-        N; 0 for the exact equations.
-    functions : int, optional
-        Number of functions added to the harmonics at each switch; None for the force series.
-    """
-
-    cell: "BodyCell"
-    order: int
-    functions: int | None = None
 
 
 def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
@@ -144,13 +128,10 @@ def _made(
         return status, iterations, float(correction), float(norm)
 
     def signals(case: Any, z: Vector, p: int, u: Vector) -> Matrix:
-        cell, order, functions = _given(case)
-        return motions.signals(cell, order, z[len(z) - width :], p, u, functions)
+        return motions.signals(_given(case), z[len(z) - width :], p, u)
 
     def motion(case: Any, z: Vector, p: int, u: Vector, derivative: int) -> Vector:
-        cell, order, functions = _given(case)
-        times = z[len(z) - width :]
-        return motions.derivative(cell, order, times, p, u, derivative, functions)
+        return motions.derivative(_given(case), z[len(z) - width :], p, u, derivative)
 
     def coefficients(z: Vector) -> dict[str, tuple[Any, int]]:
         return {name: (z[states + i], power) for i, (name, power) in enumerate(memory)}
@@ -224,15 +205,15 @@ iterate = linking.newton_with(residual, jacobian, times_of, rebuilt, FAST=events
 
 def _fill(case: Given, z: Vector, times: Vector, states: int) -> None:
     """Fill in the unknowns before the times: states at the begin of phases, and memories."""
-    cell, order, functions = case
-    if order == 0:
+    cell = case.cell
+    if case.order == 0:
         starts = exact.evaluated(cell, times).starts
         first = parts_of(cell)[0].lawful.A.shape[0]
         memory = [starts[each.phase][first + i] for i, each in enumerate(cell.memory)]
         for p in range(len(cell.phases)) if states else ():
-            z[2 * p : 2 * p + 2] = motions.signals(cell, 0, times, p, np.zeros(1))[:2, 0]
+            z[2 * p : 2 * p + 2] = motions.signals(case, times, p, np.zeros(1))[:2, 0]
     else:
-        memory = list(motions.memory_of(cell, order, functions, times))
+        memory = list(motions.memory_of(case, times))
     z[states : states + len(cell.memory)] = memory
 
 

@@ -119,15 +119,16 @@ def test_jacobian_against_differences(name: str, order: int) -> None:
 def test_derivatives(name: str) -> None:
     """Those of the exact motion against differences, those of the series against it."""
     cell, times, step = case(name).cell, start(of(name), 0.0), 1e-4
+    exact, by_series = motion.Given(cell, 0), motion.Given(cell, 24)
     u = np.linspace(0.1, 0.9, 5)
     for p in range(len(cell.phases)):
         h = step / times[p]
         for number in (1, 2, 3, 4):
             ahead, behind = (
-                motion.derivative(cell, 0, times, p, u + q, number - 1) for q in (h, -h)
+                motion.derivative(exact, times, p, u + q, number - 1) for q in (h, -h)
             )
-            found = motion.derivative(cell, 0, times, p, u, number)
+            found = motion.derivative(exact, times, p, u, number)
             size = 1e-5 * max(1.0, float(np.abs(found).max()))
             assert found == pytest.approx((ahead - behind) / (2 * step), abs=size)
-            series_ = motion.derivative(cell, 24, times, p, u, number)
+            series_ = motion.derivative(by_series, times, p, u, number)
             assert series_ == pytest.approx(found, abs=1e-7 * max(1.0, np.abs(found).max()))

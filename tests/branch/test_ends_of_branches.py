@@ -15,7 +15,7 @@ from nonsmooth.codegen.scenes import chain_impact as impacts
 from nonsmooth.codegen.scenes import clearance as springs
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.solver import branches
-from nonsmooth.solver.bodies.motion import signals
+from nonsmooth.solver.bodies.motion import Given, signals
 from nonsmooth.solver.branch import every_way
 from nonsmooth.solver.branch.branch import go
 from nonsmooth.solver.exact import exact_orbit
@@ -220,7 +220,7 @@ def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:
     (event,) = found.events
     assert found.why_it_ended == ("the end of the range", event.kind)
     freely = exact_orbit(latch(gap=event.parameter, least=1e-3))
-    _, speed, *_ = signals(freely.case.cell, 0, freely.times, 0, np.ones(1))[:, 0]
+    _, speed, *_ = signals(Given(freely.case.cell, 0), freely.times, 0, np.ones(1))[:, 0]
     assert speed * freely.case.units.of_motion(1) == pytest.approx(1.4, rel=1e-13)
 
 

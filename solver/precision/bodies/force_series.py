@@ -6,7 +6,7 @@ import numpy as np
 from flint import acb, arb
 
 from ...bodies.force_series.layout import layout
-from ...kernels.bodies import Given
+from ...bodies.motion import Given
 from .body import Balls, Body, Forms, at_end, balls, laws, real, solved, statements
 from .pieces import Piece, around, moments
 

@@ -8,7 +8,7 @@ import numpy as np
 from flint import acb, arb, arb_poly, fmpq, fmpq_poly
 
 from ...bodies.force_series.layout import for_harmonics
-from ...kernels.bodies import Given
+from ...bodies.motion import Given
 from .body import Balls, Body, Forms, at_end, balls, closed, conjugate, impulses, laws
 from .pieces import Piece, around, moments
 

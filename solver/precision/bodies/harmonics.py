@@ -8,7 +8,7 @@ import numpy as np
 from flint import acb, arb
 
 from ...bodies.force_series.layout import for_harmonics
-from ...kernels.bodies import Given
+from ...bodies.motion import Given
 from .body import Balls, Forms, balls, conjugate, real, solved, statements
 from .frame import Frame, of_real
 
