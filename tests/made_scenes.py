@@ -124,6 +124,8 @@ class Given(Motion):
     polynomial: np.polynomial.Polynomial
     angle_: float = 0.0
 
+    memory_values = ()
+
     @property
     def cell_durations(self):
         return np.array(self.durations_)

@@ -144,7 +144,9 @@ def exact_kernel(cell: Cell) -> Kernel:
         residual=lambda case, z, R: of["residual"](arrays(case), z, R),
         jacobian=lambda case, z, J: of["jacobian"](arrays(case), z, J),
         motion=motion,
-        coefficients=lambda z: {"states": (z[: 2 * count], 0)},
+        coefficients=lambda z: {
+            q.name: (z[2 * count + i], q.power) for i, q in enumerate(cell.memory)
+        },
         iterate=lambda case, z, limit: of["iterate"](arrays(case), z, limit),
         account=None if account.is_compiled else account,
     )

@@ -55,13 +55,6 @@ class ExactOrbit(Shown):
         """Durations and, if forced, the phase of the forcing; without units."""
         return self._kernel.times(self.outcome.unknowns)
 
-    @property
-    def memory_values(self) -> tuple[float, ...]:
-        """Values of the memory, set by switches of the cell, without units."""
-        count = len(self.case.cell.phases)
-        values = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
-        return tuple(map(float, values))
-
     def _least_sizes(self, p: int) -> Vector | float:
         """Return sizes below which signals of a body on phase `p` are mostly rounding."""
         cell = self.case.cell

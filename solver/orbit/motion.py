@@ -84,7 +84,8 @@ class Motion:
     @property
     def memory_values(self) -> tuple[float, ...]:
         """Values of the memory, set by switches of the cell, without units, in its order."""
-        return ()
+        by_name = self._kernel.coefficients(self.outcome.unknowns)
+        return tuple(float(by_name[memory.name][0]) for memory in self.case.cell.memory)
 
     @cached_property
     def cell(self) -> Cell:

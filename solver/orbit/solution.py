@@ -64,12 +64,6 @@ class Solution(Shown):
         return self.outcome.unknowns
 
     @property
-    def memory_values(self) -> tuple[float, ...]:
-        """Values of the memory, set by switches of the cell, without units, in its order."""
-        by_name = self._kernel.coefficients(self.unknowns)
-        return tuple(float(by_name[memory.name][0]) for memory in self.case.cell.memory)
-
-    @property
     def smoothness(self) -> str:
         """Class of the motion: ``"C0"`` where its velocity jumps, and so on."""
         return f"C{self.case.scene.k}"
