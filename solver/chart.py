@@ -37,22 +37,16 @@ LINES, EACH = 3, 64
 
 @dataclass(frozen=True)
 class Axis:
-    """A parameter that varies: its range, and how many values it takes."""
+    """A parameter that varies: its range in SI units, and how many values it takes."""
 
     name: str
-    low: float
-    high: float
+    ends: tuple[float, float]
     count: int
-
-    @property
-    def ends(self) -> tuple[float, float]:
-        """Its range, in SI units."""
-        return self.low, self.high
 
     @property
     def values(self) -> Vector:
         """Its values, in SI units."""
-        return np.linspace(self.low, self.high, self.count)
+        return np.linspace(*self.ends, self.count)
 
     def lines(self) -> list[tuple[str, float]]:
         """Return its values on lines that are followed, each with its name."""
@@ -107,7 +101,7 @@ def chart(
     """
     columns, rows = _axes(case, axes)
     names, bounds = (columns.name, rows.name), (columns.ends, rows.ends)
-    corner = _at(case, names, (columns.low, rows.low))
+    corner = _at(case, names, (columns.ends[0], rows.ends[0]))
     tasks = [(corner.with_value(*each), names, bounds, 1) for each in rows.lines()]
     tasks += [(corner.with_value(*each), names, bounds, 0) for each in columns.lines()]
     lines: list[Line] = []
@@ -235,7 +229,7 @@ def _axis(case: Case, name: str, numbers: object) -> Axis:
         expected = f"two different numbers, and {LEAST_VALUES} to {MOST_VALUES} values"
         raise ValueError(f"{name}: got {numbers!r:.80}, expected {expected}")
     low, high = sorted(map(float, parts[:2]))
-    return Axis(name, low, high, count)
+    return Axis(name, (low, high), count)
 
 
 def _at(case: Case, names: tuple[str, str], values: Sequence[float]) -> Case:
