@@ -1,4 +1,4 @@
-"""The text of a module of closed forms, written by `lambdify`."""
+"""The text of a module of closed forms."""
 
 import inspect
 from collections.abc import Sequence
@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..python_text import PRINTER, digest, math_names, rising
+from ..python_text import digest, math_names, python, rising
 
 
 @dataclass(frozen=True)
@@ -32,18 +32,15 @@ class ClosedForm:
     values: tuple[sp.Expr, ...]
 
 
-def expression_source(form: ClosedForm, value: sp.Expr) -> str:
-    """Return the source of one value of `form`, as `sympy.lambdify` writes it."""
-    if value.is_Integer:
-        return f"{value}.0"  # a float like the other values
-    function = sp.lambdify(form.arguments, value, modules="math", printer=PRINTER)
-    return inspect.getsource(function).partition("return ")[2].strip()
+def expression_source(value: sp.Expr) -> str:
+    """Return the source of one value."""
+    return f"{value}.0" if value.is_Integer else python(value)  # a float like the others
 
 
 def function_source(form: ClosedForm) -> str:
     """Return the source of one closed form, with one value on each line."""
     arguments = ", ".join(str(argument) for argument in form.arguments)
-    values = [expression_source(form, value) for value in form.values]
+    values = list(map(expression_source, form.values))
     if len(values) == 1:
         result = values[0]
     else:

@@ -1,4 +1,4 @@
-"""Structures as the text of ``generated/space/``: data, and closed forms by `lambdify`."""
+"""Structures as the text of ``generated/space/``: data, and closed forms."""
 
 from functools import cache
 
@@ -117,10 +117,10 @@ def of_series() -> tuple[ClosedForm, ...]:
 
 def _forced_modes(structure: Structure) -> str:
     """Return the function of the coefficients of all forced modes."""
-    form, lines = ClosedForm("g", "", (a,), ()), ""
+    lines = ""
     for q in range(1, forced_modes.MOST + 1):
         row = forced_modes.left_coefficients(structure, q)
-        lines += f"        ({', '.join(expression_source(form, c) for c in row)},),\n"
+        lines += f"        ({', '.join(map(expression_source, row))},),\n"
     return (
         "def forced_modes(a):\n"
         '    """Return the coefficients of x, x**3, ... of each forced mode left of a."""\n'
