@@ -8,7 +8,7 @@ import sympy as sp
 from ..python_text import python
 from ..scene import Phase, Scene, forcing, linear_phase, state_row, v, x
 from ..scene.bodies.body import Body, force
-from ..scene.bodies.law import form, law_rows, place
+from ..scene.bodies.law import form, law_rows, place, velocities
 from ..scene.data import SceneData
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
@@ -172,11 +172,8 @@ def guess(scene: Scene) -> Function:
 
 def _jump(phase: Phase, scene: SceneData) -> tuple[sp.Expr, ...]:
     """Return rho and d of each velocity at the end of a phase: ``v+ = rho v + d``."""
-    if scene.body is None:
-        _, rho, _, constant = form(phase.ends.jump.get(v, v), scene, phase.name, memory=False)
-        return rho, constant
     factors: list[sp.Expr] = []
-    for contact in scene.body.at.values():
-        after = form(phase.ends.jump.get(contact.v, contact.v), scene, phase.name)
-        factors += [after[place(scene.body, contact.v)], after[3]]
+    for velocity in velocities(scene):
+        after = form(phase.ends.jump.get(velocity, velocity), scene, phase.name)
+        factors += [after[place(scene, velocity)], after[3]]
     return tuple(factors)

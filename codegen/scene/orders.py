@@ -12,6 +12,7 @@ from typing import NamedTuple
 import sympy as sp
 
 from ...nearest import at_length, numbered, one_of
+from .bodies.law import contacts_of, laws, velocities
 from .data import Memory, Phase, SceneData, a, forcing, v, with_values, x
 from .error import SceneError
 from .scene import Scene
@@ -179,8 +180,7 @@ def _begins_mirrored(every: AllPhases, steps: Sequence[Place], p: int, half: boo
     (q, minus), (before, mirrored) = steps[p], steps[p - 1]
     behind = [turned for after, turned in every.followers(before) if after == q]
     phase = every.scene.phases[q]
-    laws = sp.flatten([phase.equation, _mirrored(phase, every.scene).equation])
-    images = zip(laws[: len(laws) // 2], laws[len(laws) // 2 :], strict=True)
+    images = zip(laws(phase), laws(_mirrored(phase, every.scene)), strict=True)
     if not behind or any(sp.expand(a - b) for a, b in images):
         return minus
     return mirrored != ((p == 0 and half) != behind[0])
@@ -200,8 +200,7 @@ def _is_declared(every: AllPhases, steps: Sequence[Place], p: int, half: bool) -
 def _image(scene: SceneData) -> dict[sp.Symbol, sp.Expr]:
     """Return the state of the motion ``-x``, half a period of the forcing later, by symbols."""
     state = [x, v, a, forcing, *(each.symbol for each in scene.memory)]
-    if scene.body is not None:
-        state += [q for contact in scene.body.at.values() for q in contact.symbols]
+    state += [q for contact in contacts_of(scene) for q in contact.symbols]
     return {symbol: -symbol for symbol in state}
 
 
@@ -209,11 +208,10 @@ def _mirrored(phase: Phase, scene: SceneData) -> Phase:
     """Return the mirror image of a phase of a scene."""
     image = _image(scene)
     mirrored = with_values(phase, image)
-    laws = mirrored.equation
-    several = isinstance(laws, tuple | list)  # a law for each of several contacts
+    of_mass = scene.body is None
     return replace(
         mirrored,
-        equation=tuple(-law for law in laws) if several else -laws,
+        equation=-mirrored.equation if of_mass else tuple(-law for law in laws(mirrored)),
         ends=replace(
             mirrored.ends,
             jump={q: -sp.sympify(law).subs(image) for q, law in mirrored.ends.jump.items()},
@@ -246,13 +244,10 @@ def _demands(phase: Phase) -> set[sp.Expr]:
 
 def _alike(one: Phase, other: Phase, scene: SceneData) -> bool:
     """Return whether two phases have the same law, event and jumps."""
-    contacts = () if scene.body is None else scene.body.at.values()
-    velocities = [v, *(contact.v for contact in contacts)]
 
     def said(phase: Phase, sign: int) -> sp.Matrix:
-        laws, jump = sp.flatten([phase.equation]), phase.ends.jump
-        behind = [jump.get(q, q) for q in velocities]
-        return sp.Matrix([*laws, phase.held or 0, *behind, sign * phase.ends.zero])
+        behind = [phase.ends.jump.get(q, q) for q in velocities(scene)]
+        return sp.Matrix([*laws(phase), phase.held or 0, *behind, sign * phase.ends.zero])
 
     return any((said(one, 1) - said(other, sign)).expand().is_zero_matrix for sign in (1, -1))
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...scene import Scene, switches
 from ...scene.bodies.body import Contact
-from ...scene.bodies.law import body_of, form, law_rows, place
+from ...scene.bodies.law import body_of, contacts_of, form, law_rows, place
 from ..condition import Times
 
 #: The index of a pole, and the number of poles, one of each complex pair.
@@ -34,7 +34,7 @@ class Contacts:
     @cached_property
     def each(self) -> tuple[Contact, ...]:
         """The contacts."""
-        return tuple(body_of(self.scene).at.values())
+        return contacts_of(self.scene)
 
     def name(self, letter: str, *which: int, word: str = "") -> str:
         """Return a letter with the names of contacts, if there are several, and a word."""
@@ -87,11 +87,10 @@ class Contacts:
         wave, one : Expr
             In place of the forcing and of 1.
         """
-        body = body_of(self.scene)
         signals: dict[int, sp.Expr] = {2: wave, 3: one}
         for contact, values in zip(self.each, parts, strict=True):
             for symbol, value in zip((contact.x, contact.v, contact.a), values, strict=True):
-                signals[place(body, symbol)] = value
+                signals[place(self.scene, symbol)] = value
         width = 2 + 4 * len(self.each)
         memory = [q.symbol * one for q in self.scene.memory]
         return [signals.get(i, sp.Integer(0)) for i in range(width)] + memory
@@ -100,12 +99,12 @@ class Contacts:
         self, without_forces: Sequence[sp.Expr], forces: Sequence[sp.Expr]
     ) -> list[sp.Expr]:
         """Return the signals with the forces, and with their direct effects, added."""
-        body, signals = body_of(self.scene), list(without_forces)
+        scene, signals = self.scene, list(without_forces)
         for c, contact in enumerate(self.each):
-            signals[place(body, contact.force)] += forces[c]
+            signals[place(scene, contact.force)] += forces[c]
             for d, force in enumerate(forces):
-                signals[place(body, contact.x)] += self.static(c, d) * force
-                signals[place(body, contact.a)] += self.mobility(c, d) * force
+                signals[place(scene, contact.x)] += self.static(c, d) * force
+                signals[place(scene, contact.a)] += self.mobility(c, d) * force
         return signals
 
     def of_response(self) -> list[tuple[sp.Expr, ...]]:
@@ -133,7 +132,7 @@ class Contacts:
         """Return the laws of a phase as forms; a held contact returns to its velocity."""
         phase, rows = self.scene.cell[p], law_rows(self.scene.cell[p], self.scene)
         if phase.held is not None:
-            a, v = (place(body_of(self.scene), q) for q in (self.each[0].a, self.each[0].v))
+            a, v = (place(self.scene, q) for q in (self.each[0].a, self.each[0].v))
             row = [entry / rows[0][a] for entry in rows[0]]
             row[v] += RATE
             row[3] -= RATE * sp.sympify(phase.held)
@@ -142,8 +141,8 @@ class Contacts:
 
     def is_given(self, p: int) -> bool:
         """Return whether the laws of a phase prescribe its forces, whatever the motion."""
-        body = body_of(self.scene)
-        moving = [2, *(place(body, q) for c in self.each for q in (c.x, c.v, c.a))]
+        symbols = (q for c in self.each for q in (c.x, c.v, c.a))
+        moving = [2, *(place(self.scene, q) for q in symbols)]
         return all(row[i] == 0 for row in self.laws(p) for i in moving)
 
     def by_law(self, p: int, without_forces: Sequence[sp.Expr]) -> list[sp.Expr]:

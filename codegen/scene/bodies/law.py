@@ -11,10 +11,10 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from ..data import Phase, SceneData, forcing
+from ..data import Phase, SceneData, forcing, v, x
 from ..error import SceneError
 from ..linear import parts, state_row
-from .body import Body
+from .body import Body, Contact
 
 #: Number of derivatives of the force that are checked for jumps.
 HIGHEST = 6
@@ -26,9 +26,21 @@ def body_of(scene: SceneData) -> Body:
     return scene.body
 
 
-def signals(body: Body) -> tuple[sp.Symbol | sp.Integer, ...]:
+def contacts_of(scene: SceneData) -> tuple[Contact, ...]:
+    """Return the contacts of the body of a scene; one mass has none."""
+    return () if scene.body is None else tuple(scene.body.at.values())
+
+
+def velocities(scene: SceneData) -> tuple[sp.Symbol, ...]:
+    """Return the velocities that may jump: of each contact, or of the mass."""
+    return tuple(contact.v for contact in contacts_of(scene)) or (v,)
+
+
+def signals(scene: SceneData) -> tuple[sp.Symbol | sp.Integer, ...]:
     """Return the symbols of which forms are linear combinations, without the memories."""
-    first, *others = body.at.values()
+    if scene.body is None:
+        return x, v, forcing, sp.Integer(1)
+    first, *others = contacts_of(scene)
     further = (symbol for contact in others for symbol in contact.symbols)
     return (first.x, first.v, forcing, sp.Integer(1), first.force, first.a, *further)
 
@@ -48,7 +60,7 @@ def form(
     remembered = [q.symbol for q in scene.memory] if memory else []
     if scene.body is None:
         return state_row(expression, what, remembered)
-    symbols = [q for q in (*signals(scene.body), *remembered) if q != 1]
+    symbols = [q for q in (*signals(scene), *remembered) if q != 1]
     *factors, constant = parts(sp.sympify(expression), symbols, what)
     return (*factors[:3], constant, *factors[3:])
 
@@ -68,13 +80,12 @@ def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
         If the numbers of laws and contacts differ, or a law has neither force nor acceleration.
     """
     field, equations = f"phase {phase.name}: equation", laws(phase)
-    contacts = list(body_of(scene).at.values())
+    contacts = contacts_of(scene)
     if len(equations) != len(contacts):
         raise SceneError(f"{field}: got {len(equations)} laws for {len(contacts)} contacts")
     rows = [form(law, scene, field) for law in equations]
     for contact, row in zip(contacts, rows, strict=True):
-        f, a = (place(body_of(scene), q) for q in (contact.force, contact.a))
-        if row[f] == 0 and row[a] == 0:
+        if row[place(scene, contact.force)] == 0 and row[place(scene, contact.a)] == 0:
             raise SceneError(
                 f"{field}: it says nothing of the force at {contact.name}: expected a law with "
                 f"{contact.force}, or {contact.a} of a held contact"
@@ -82,9 +93,9 @@ def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
     return rows
 
 
-def place(body: Body, symbol: sp.Symbol) -> int:
+def place(scene: SceneData, symbol: sp.Symbol) -> int:
     """Return the index of a symbol in forms."""
-    return signals(body).index(symbol)
+    return signals(scene).index(symbol)
 
 
 def contact_class(
@@ -116,29 +127,32 @@ def contact_class(
     return None
 
 
-def _width(scene: SceneData) -> int:
-    """Return the number of columns: derivatives of x and forces, cos, sin, 1, memories."""
-    return len(body_of(scene).at) * 3 * (HIGHEST + 3) + 3 + len(scene.memory)
+def _tail(scene: SceneData) -> int:
+    """Return the number of columns of x and forces; cos, sin, 1 and memories follow."""
+    return len(contacts_of(scene)) * 3 * (HIGHEST + 3)
+
+
+def _zeros(scene: SceneData) -> list[sp.Expr]:
+    """Return a row of zeros."""
+    return [sp.Integer(0)] * (_tail(scene) + 3 + len(scene.memory))
 
 
 def _row(
     scene: SceneData, factors: Sequence[sp.Expr], order: int, sign: int, side: str
 ) -> list[sp.Expr]:
     """Return derivative `order` of a form by time; forces are unknowns, on either side."""
-    row = [sp.Integer(0)] * _width(scene)
-    body, omega = body_of(scene), scene.frequency or sp.Integer(0)
-    for i, contact in enumerate(body.at.values()):
+    row, tail, omega = _zeros(scene), _tail(scene), scene.frequency or sp.Integer(0)
+    for i, contact in enumerate(contacts_of(scene)):
         base = 3 * (HIGHEST + 3) * i
         for shift, symbol in ((0, contact.x), (1, contact.v), (2, contact.a)):
-            row[base + order + shift] += factors[place(body, symbol)]
+            row[base + order + shift] += factors[place(scene, symbol)]
         free = base + (HIGHEST + 3) * (1 if side == "before" else 2)
-        row[free + order] += factors[place(body, contact.force)]
-    tail = len(body.at) * 3 * (HIGHEST + 3)
+        row[free + order] += factors[place(scene, contact.force)]
     turned = order % 4
     row[tail + turned % 2] = factors[2] * omega**order * (1, -1, -1, 1)[turned]
     if order == 0:
         row[tail + 2] = sign * factors[3]
-        for i, factor in enumerate(factors[len(signals(body)) :]):
+        for i, factor in enumerate(factors[len(signals(scene)) :]):
             row[tail + 3 + i] = sign * factor
     return row
 
@@ -148,8 +162,8 @@ def _forces(
 ) -> list[list[sp.Expr]]:
     """Return a derivative of each contact force of a phase; that of a held one is unknown."""
     rows = []
-    for contact, row in zip(body_of(scene).at.values(), law_rows(phase, scene), strict=True):
-        at = place(body_of(scene), contact.force)
+    for contact, row in zip(contacts_of(scene), law_rows(phase, scene), strict=True):
+        at = place(scene, contact.force)
         factor = row[at]
         if factor == 0:
             force = [sp.Integer(q == at) for q in range(len(row))]
@@ -163,28 +177,27 @@ def _known(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[
     """Return the rows that vanish at a switch, in the signs of its right side."""
     event = form(left.ends.zero, scene, f"phase {left.name}: ends")
     rows = [[sign * q for q in _row(scene, event, 0, sign, "before")]]
-    for q, force_row in zip(laws(left), _forces(scene, left, 0, sign, "before"), strict=True):
-        law = form(q, scene, "law")
-        if all(law[place(body_of(scene), c.force)] == 0 for c in body_of(scene).at.values()):
+    places, tail = [place(scene, contact.force) for contact in contacts_of(scene)], _tail(scene)
+    forces = _forces(scene, left, 0, sign, "before")
+    for at, law, force_row in zip(places, law_rows(left, scene), forces, strict=True):
+        if all(law[q] == 0 for q in places):
             continue  # held: its force is an unknown
-        contact = list(body_of(scene).at.values())[laws(left).index(q)]
-        unit = [sp.Integer(i == place(body_of(scene), contact.force)) for i in range(len(law))]
+        unit = [sp.Integer(i == at) for i in range(len(law))]
         free = _row(scene, unit, 0, 1, "before")
         rows.append([f - r for f, r in zip(free, force_row, strict=True)])
-    tail = len(body_of(scene).at) * 3 * (HIGHEST + 3)
     for phase, side in ((left, sign), (right, 1)):
         if phase.held is not None:
-            speed = [sp.Integer(0)] * _width(scene)
+            speed = _zeros(scene)
             speed[1], speed[tail + 2] = sp.Integer(1), -side * sp.sympify(phase.held)
             rows.append(speed)
     if left.held is not None:
         for order in range(2, HIGHEST + 3):
-            still = [sp.Integer(0)] * _width(scene)
+            still = _zeros(scene)
             still[order] = sp.Integer(1)
             rows.append(still)
     for i, q in enumerate(scene.memory):
         if q.at == right.name:
             row = form(q.value, scene, f"memory {q.symbol}", memory=False)
-            rows.append(_row(scene, (*row, *[sp.Integer(0)] * len(scene.memory)), 0, 1, "x"))
+            rows.append(_row(scene, row, 0, 1, "x"))
             rows[-1][tail + 3 + i] = sp.Integer(-1)
     return rows

@@ -1,4 +1,4 @@
-"""Checks of a scene with a body: its matrices, the laws of its contacts."""
+"""Checks of the body of a scene: its matrices, damping and modes."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,13 +7,11 @@ import numpy as np
 import sympy as sp
 
 from ..bodies.body import UNITS, Body, Entries
-from ..bodies.law import body_of, form, law_rows, place
-from ..data import Phase, SceneData, forcing
+from ..data import SceneData
 from ..error import SceneError, named
-from ..linear import without_modulus
 from ..units import Dimension, balance, dimension_of, spelled
 from .parameters import check_known
-from .phases import Units, check_velocity, checked_fields
+from .phases import Units
 
 #: Largest difference between symmetric entries, relative to the largest entry.
 ROUNDING = 1e-12
@@ -108,46 +106,3 @@ def _check_units(body: Body, units: Units) -> None:
                     f"{name}[{i}, {j}] is in {spelled((mass, length, time))}, which is not "
                     "that of M, N s/m for kg in C and N/m in K"
                 )
-
-
-def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
-    """Check one phase of a body by itself; a `SceneError` names the field that is wrong."""
-    field, memory = f"phase {phase.name}", [q.symbol for q in scene.memory]
-    contacts = list(body_of(scene).at.values())
-    for name, value in checked_fields(phase, units, scene.frequency is not None, memory):
-        with named(f"{field}: {name}"):
-            for part in without_modulus(value, _states(scene)):
-                row = form(part, scene, f"{field}: {name}")
-            if name == "ends" and not any(c != 0 for i, c in enumerate(row) if i != 3):
-                raise SceneError(f"{value} depends on no displacement, velocity or force")
-    rows = law_rows(phase, scene)
-    for symbol, value in phase.ends.jump.items():
-        with named(f"{field}: jump"):
-            if symbol not in [q.v for q in contacts]:
-                raise SceneError(f"got a jump of {symbol}, expected one of {contacts[0].v}")
-            check_velocity(value, units)
-            row = form(value, scene, f"{field}: jump")
-            allowed = {3, place(body_of(scene), symbol)}
-            if any(c != 0 for i, c in enumerate(row) if i not in allowed):
-                raise SceneError(f"got {value}, expected the velocity {symbol} alone in it")
-    if phase.held is not None:
-        with named(f"{field}: held"):
-            speed = sp.sympify(phase.held)
-            if len(contacts) > 1:
-                raise SceneError("a body with several contacts cannot be held yet")
-            place_of_a = place(body_of(scene), contacts[0].a)
-            if any(c != 0 for i, c in enumerate(rows[0]) if i != place_of_a):
-                raise SceneError(f"got the equation {phase.equation}, expected {contacts[0].a}")
-            check_velocity(speed, units)
-    elif any(
-        row[place(body_of(scene), q.force)] == 0 for q, row in zip(contacts, rows, strict=True)
-    ):
-        raise SceneError(
-            f"{field}: equation: it has no force: say the speed at which it is held"
-        )
-
-
-def _states(scene: SceneData) -> tuple[sp.Symbol, ...]:
-    """Return the symbols in which demands are linear."""
-    by_contact = (q.symbols for q in body_of(scene).at.values())
-    return (*(symbol for symbols in by_contact for symbol in symbols), forcing)

@@ -4,56 +4,77 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from ..bodies.law import laws
-from ..data import Phase, a, forcing, v, x
+from ..bodies.law import contacts_of, form, law_rows, laws, place, signals, velocities
+from ..data import Phase, SceneData, a, forcing, v, x
 from ..error import SceneError, check_kind, named
-from ..linear import fixed, linear_phase, state_row, without_modulus
+from ..linear import fixed, linear_phase, without_modulus
 from ..units import Dimension, balance, spelled
 
 Units = Mapping[sp.Symbol, Dimension]
 
 
-def check_phase(
-    phase: Phase, units: Units, forced: bool, memory: Sequence[sp.Symbol] = ()
-) -> None:
+def check_phase(phase: Phase, scene: SceneData, units: Units) -> None:
     """Check one phase by itself; a `SceneError` names the field that is wrong.
 
     Parameters
     ----------
     phase : Phase
+    scene : SceneData
     units : mapping of Symbol to Dimension
         Units of all symbols that are allowed.
-    forced : bool
-        Whether there is forcing.
-    memory : sequence of Symbol
-        Symbols in which, like in the state, all must be linear.
     """
-    field = f"phase {phase.name}"
-    for name, value in checked_fields(phase, units, forced, memory):
+    field, memory = f"phase {phase.name}", [q.symbol for q in scene.memory]
+    states = [q for q in signals(scene) if q != 1]
+    for name, value in checked_fields(phase, units, scene.frequency is not None, memory):
         if "demand" in name:
             with named(f"{field}: {name}"):
-                for part in without_modulus(value):
-                    state_row(part, f"{field}: {name}", memory)
+                for part in without_modulus(value, states):
+                    form(part, scene, f"{field}: {name}")
     with named(f"{field}: equation"):
-        m = linear_phase(phase, memory).m
-        if m.is_nonpositive:
+        if scene.body is not None:
+            _check_forces(phase, scene)
+        elif (m := linear_phase(phase, memory).m).is_nonpositive:
             raise SceneError(f"got {m} times a, expected a positive mass")
     with named(f"{field}: ends"):
-        of_x, of_v, cos, *_ = state_row(phase.ends.zero, f"{field}: ends", memory)
-        if of_x == of_v == cos == 0:
+        row = form(phase.ends.zero, scene, f"{field}: ends")
+        if scene.body is None and all(c == 0 for c in row[:3]):
             raise SceneError(f"{phase.ends.zero} depends on neither x, v nor forcing")
-    _check_jump(phase, units, memory)
+        if all(c == 0 for i, c in enumerate(row) if i != 3):
+            raise SceneError(f"{phase.ends.zero} depends on no displacement, velocity or force")
+    _check_jump(phase, scene, units)
     if phase.held is not None:
         with named(f"{field}: held"):
-            if sp.simplify(phase.equation / a).has(a) or linear_phase(phase).c != 0:
-                raise SceneError(f"got the equation {phase.equation}, expected a")
-            check_velocity(phase.held, units)
-            if sp.sympify(phase.held).has(x, v, forcing, *memory):
-                raise SceneError(f"got {phase.held}, expected a velocity in the parameters")
-        if cos == 0 and (of_x == 0 or sp.sympify(phase.held) == 0):
+            _check_held(phase, scene, units)
+        of_x, _, cos, *_ = row
+        unmoved = cos == 0 and (of_x == 0 or sp.sympify(phase.held) == 0)
+        if scene.body is None and unmoved:
             raise SceneError(
                 f"{field}: ends: {phase.ends.zero} does not change while it is held"
             )
+
+
+def _check_forces(phase: Phase, scene: SceneData) -> None:
+    """Check that the laws of a phase that is not held say what the contact forces are."""
+    pairs = zip(contacts_of(scene), law_rows(phase, scene), strict=True)
+    if phase.held is None and any(row[place(scene, q.force)] == 0 for q, row in pairs):
+        raise SceneError("it has no force: say the speed at which it is held")
+
+
+def _check_held(phase: Phase, scene: SceneData, units: Units) -> None:
+    """Check that a constraint prescribes the velocity, and the equation says no more."""
+    memory = [q.symbol for q in scene.memory]
+    if len(contacts_of(scene)) > 1:
+        raise SceneError("a body with several contacts cannot be held yet")
+    if scene.body is None:
+        others = linear_phase(phase, memory).coefficients[1:]
+    else:
+        (row,), at = law_rows(phase, scene), place(scene, a)
+        others = (*row[:at], *row[at + 1 :])
+    if any(c != 0 for c in others):
+        raise SceneError(f"got the equation {phase.equation}, expected a")
+    check_velocity(phase.held, units)
+    if sp.sympify(phase.held).has(x, v, forcing, *memory):
+        raise SceneError(f"got {phase.held}, expected a velocity in the parameters")
 
 
 def checked_fields(
@@ -89,15 +110,17 @@ def check_velocity(value: sp.Expr, units: Units) -> None:
         raise SceneError(f"{value} is not a velocity")
 
 
-def _check_jump(phase: Phase, units: Units, memory: Sequence[sp.Symbol]) -> None:
+def _check_jump(phase: Phase, scene: SceneData, units: Units) -> None:
+    """Check that a velocity jumps to a linear form of itself alone."""
     for symbol, value in phase.ends.jump.items():
         with named(f"phase {phase.name}: jump"):
-            if symbol != v:
-                raise SceneError(f"got a jump of {symbol}, expected one of v")
+            if symbol not in velocities(scene):
+                raise SceneError(f"got a jump of {symbol}, expected one of {v}")
             check_velocity(value, units)
-            of_x, _, cos, _ = state_row(value, f"phase {phase.name}: jump")
-            if of_x != 0 or cos != 0 or sp.sympify(value).has(*memory):
-                raise SceneError(f"got {value}, expected the velocity v alone in it")
+            row = form(value, scene, f"phase {phase.name}: jump")
+            allowed = {3, place(scene, symbol)}
+            if any(c != 0 for i, c in enumerate(row) if i not in allowed):
+                raise SceneError(f"got {value}, expected the velocity {symbol} alone in it")
 
 
 def check_neighbours(phase: Phase, after: Phase, sign: int) -> None:

@@ -10,7 +10,7 @@ from ..error import SceneError, named
 from ..scales import scales
 from ..smoothness import switches
 from ..units import balance, dimension_of, spelled, units_of
-from .bodies import check_body, check_contact_phase, units_of_contacts
+from .bodies import check_body, units_of_contacts
 from .entries import check_entries
 from .names import COMMANDS, check_called, check_name
 from .parameters import check_extremes, check_known, check_memory, check_parameters
@@ -48,12 +48,8 @@ def _check_motion(scene: SceneData) -> None:
         check_body(scene, units)
         units |= units_of_contacts(scene.body)
     units |= check_memory(scene, units)
-    memory = [q.symbol for q in scene.memory]
     for phase in scene.phases:
-        if scene.body is not None:
-            check_contact_phase(phase, scene, units)
-        else:
-            check_phase(phase, units, scene.frequency is not None, memory)
+        check_phase(phase, scene, units)
     for phase, after in zip(scene.phases, scene.phases[1:], strict=False):
         check_neighbours(phase, after, 1)
     check_neighbours(scene.phases[-1], scene.phases[0], scene.sign)

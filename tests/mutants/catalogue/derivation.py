@@ -29,8 +29,8 @@ MUTANTS = (
     Mutant(
         "the law of an impact with constant and factor exchanged",
         "codegen/emission/scene_functions.py",
-        "return rho, constant",
-        "return constant, rho",
+        "[after[place(scene, velocity)], after[3]]",
+        "[after[3], after[place(scene, velocity)]]",
         NUMBERS,
     ),
     Mutant(
