@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 import sympy as sp
 
 from ..galerkin import Block, Condition
-from ..galerkin.terms import Term, terms
+from ..galerkin.terms import terms
 
 #: Transforms the factor of an unknown before it is printed.
 Spelling = Callable[[sp.Expr], sp.Expr]
@@ -38,28 +38,18 @@ def by_unknown(
     for term in terms(condition, blocks):
         factor = spelling(term.coefficient)
         if term.over is None:
-            plain.append(_product(term, term.index, factor, symbols))
+            plain.append(neat(factor, symbols, term.unknown))
             continue
         factor = sp.expand(factor)
         alone = {} if condition.index is None else {term.over[0]: condition.index}
         single = factor.coeff(SAME).subs(alone)
         if single != 0:
-            plain.append(_product(term, term.index.subs(alone), single, symbols))
-        summand = _product(term, term.index, factor.coeff(SAME, 0), symbols)
+            plain.append(neat(single, symbols, term.unknown.subs(alone)))
+        summand = neat(factor.coeff(SAME, 0), symbols, term.unknown)
         sums.setdefault(term.over, []).append(summand)
     summands = {over: sp.Add(*parts) for over, parts in sums.items()}
     parts = (sp.Sum(total, over) for over, total in summands.items() if total != 0)
     return sp.Add(*plain, *parts)
-
-
-def _product(
-    term: Term, index: sp.Expr, factor: sp.Expr, parameters: frozenset[sp.Symbol]
-) -> sp.Expr:
-    if term.block is None:
-        return neat(factor, parameters)
-    symbol = term.block.symbol
-    unknown = symbol[index] if isinstance(symbol, sp.IndexedBase) else symbol
-    return neat(factor, parameters, unknown)
 
 
 def neat(

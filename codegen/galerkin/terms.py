@@ -1,32 +1,28 @@
 """A condition or an expression as linear terms: coefficients of unknowns."""
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 import sympy as sp
 
 from .condition import Block, Condition
 
 
-@dataclass(frozen=True)
-class Term:
+class Term(NamedTuple):
     """One term of a condition: a coefficient times an unknown, or a constant.
 
     Parameters
     ----------
     coefficient : Expr
-    block : Block or None
-        Block of the unknown; None for a constant.
-    index : Expr
-        Index of the unknown in its block, if that is a family.
+    unknown : Expr
+        1 for a constant.
     over : tuple or None
         Index and limits of a sum over the unknowns of the block.
     """
 
     coefficient: sp.Expr
-    block: Block | None
-    index: sp.Expr
+    unknown: sp.Expr
     over: tuple[sp.Symbol, sp.Expr, sp.Expr] | None = None
 
 
@@ -46,7 +42,7 @@ def terms(condition: Condition, blocks: Sequence[Block]) -> list[Term]:
         weight = expression.coeff(part)
         (limits,) = part.limits
         pieces = _by_unknown(condition, weight * sp.expand_mul(part.function), blocks)
-        sum_terms += [Term(q.coefficient, q.block, q.index, tuple(limits)) for q in pieces]
+        sum_terms += [Term(q.coefficient, q.unknown, tuple(limits)) for q in pieces]
         expression = expression - weight * part
     if expression.has(sp.Sum):
         raise ValueError(f"{condition.name}: not linear in its sums")
@@ -57,16 +53,12 @@ def _by_unknown(
     condition: Condition, expression: sp.Expr, blocks: Sequence[Block]
 ) -> list[Term]:
     """Return the terms of an expression that has no sums."""
-    pairs = [(block, q) for block in blocks for q in _unknowns(expression, block)]
+    unknowns = [q for block in blocks for q in _unknowns(expression, block)]
     try:
-        coefficients = weights(expression, {unknown for _, unknown in pairs})
+        coefficients = weights(expression, set(unknowns))
     except ValueError as error:
         raise ValueError(f"{condition.name}: {error} in the unknowns") from None
-    rows = []
-    for block, unknown in pairs:
-        index = unknown.indices[0] if isinstance(unknown, sp.Indexed) else sp.S.Zero
-        rows.append(Term(factored(coefficients[unknown]), block, index))
-    rows.append(Term(factored(coefficients.get(sp.S.One, sp.S.Zero)), None, sp.S.Zero))
+    rows = [Term(factored(coefficients.get(q, sp.S.Zero)), q) for q in (*unknowns, sp.S.One)]
     return [term for term in rows if term.coefficient != 0]
 
 
