@@ -65,7 +65,7 @@ def rate(notation: Notation) -> Iterator[Equation]:
 def velocities(notation: Notation, p: int) -> Iterator[Equation]:
     """Yield the velocity after the end of phase `p` of each contact with an impulse."""
     scene, contacts = notation.scene, Contacts(notation.scene)
-    sign = scene.sign if p + 1 == len(scene.phases) else 1
+    _, sign = scene.after(p)
     for c, law in contacts.impulses(p):
         sides = (notation.side(p + 1, side) for side in "-+")
         before, after = (notation.displacement(c, 1, time) for time in sides)

@@ -71,7 +71,7 @@ class Notation:
 
     def end(self, p: int, order: int) -> sp.Expr:
         """Return a derivative of the displacement where phase `p` ends."""
-        continuous = order <= self.switches[(p + 1) % len(self.switches)].k
+        continuous = order <= self.switches[self.scene.after(p)[0]].k
         return state(order, self.at(p + 1) if continuous else self.side(p + 1, "-"))
 
     def displacement(self, c: int, order: int, time: sp.Expr) -> sp.Expr:

@@ -104,8 +104,8 @@ def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
     """Yield the jump of the velocity at the end of a phase, if there is one."""
     scene, phase = notation.scene, notation.scene.phases[p]
     if phase.ends.jump:
-        q = (p + 1) % len(notation.switches)
-        value = (scene.sign if q == 0 else 1) * law(scene, q, notation.end)
+        q, sign = scene.after(p)
+        value = sign * law(scene, q, notation.end)
         words = f"the velocity jumps where {phase.name} ends"
         yield Equation("", words, (state(1, notation.side(p + 1, "+")), value))
 

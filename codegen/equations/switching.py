@@ -24,8 +24,7 @@ def event(notation: Notation, p: int) -> sp.Expr:
 
 def event_after(notation: Notation, p: int) -> sp.Expr:
     """Return the event function in the state after the switch, but for jumping velocities."""
-    following = (p + 1) % len(notation.switches)
-    sign = notation.scene.sign if following == 0 else 1
+    following, sign = notation.scene.after(p)
     time = notation.side(following, "+") if following else notation.at(0)
     ends = notation.scene.cell[p].ends
 
@@ -60,17 +59,16 @@ def jump(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
     scene, order = notation.scene, notation.switches[p].jumps
     sides = [state(order, notation.side(p, sign)) for sign in "+-"]
     if order == 1:
-        before = sides[1]
-        sign = scene.sign if p == 0 else 1
-        after = sp.sympify(scene.phases[p - 1].ends.jump[v]).subs(v, sign * before)
+        before, (q, sign) = sides[1], scene.before(p)
+        after = sp.sympify(scene.phases[q].ends.jump[v]).subs(v, sign * before)
         return sides[0] - sides[1], sp.factor(sign * after - before)
     return sides[0] - sides[1], _size(notation, p, order)
 
 
 def _size(notation: Notation, p: int, order: int) -> sp.Expr:
     """Return the jump of a derivative as an expression in the state at the switch."""
-    scene, sign = notation.scene, notation.scene.sign if p == 0 else 1
-    left, right = scene.cell[p - 1], scene.cell[p]
+    scene, (q, sign) = notation.scene, notation.scene.before(p)
+    left, right = scene.cell[q], scene.cell[p]
     frequency = scene.frequency if scene.frequency is not None else sp.Integer(0)
     turning = sp.Symbol("turning", real=True)
     memory = [q.symbol for q in scene.memory]

@@ -88,8 +88,8 @@ def impacts(
     for p, switch in enumerate(cell_switches):
         if switch.k:
             continue
-        sign = scene.sign if p == 0 else 1
-        law = scene.phases[p - 1].ends.jump[v]
+        left, sign = scene.before(p)
+        law = scene.phases[left].ends.jump[v]
         mean = series(harmonics, harmonics.times.start(p), 1)
         before = sign * (mean - jump(cell_switches, p) / 2)
         yield Condition(
@@ -106,8 +106,7 @@ def derive(scene: Scene) -> GalerkinConditions:
     times, cell_switches, harmonics = Times.of(scene), switches(scene), Harmonics.of(scene)
 
     def end(p: int, order: int) -> sp.Expr:
-        after = (p + 1) % len(cell_switches)
-        sign = scene.sign if after == 0 else 1
+        after, sign = scene.after(p)
         mean = series(harmonics, times.start(p + 1), order)
         return mean - sign * jump(cell_switches, after) / 2 if order == 1 else mean
 

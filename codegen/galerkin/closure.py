@@ -34,7 +34,7 @@ def one_sum(expression: sp.Expr) -> sp.Expr:
 
 def law(scene: Scene, p: int, end: End) -> sp.Expr:
     """Return the velocity at the begin of phase `p` by the jump law, from that before."""
-    left, sign = _before(scene, p)
+    left, sign = scene.before(p)
     return sign * sp.sympify(scene.phases[left].ends.jump.get(v, v)).subs(v, end(left, 1))
 
 
@@ -66,13 +66,8 @@ def differentiated(
             force += phase.g * times.frequency ** (order - 2) * sp.cos(turned)
         return total - force
 
-    left, sign = _before(scene, p)
+    left, sign = scene.before(p)
     return side(p, start, at(p)) - sign * side(left, end, at(left + 1))
-
-
-def _before(scene: Scene, p: int) -> tuple[int, int]:
-    """Return the phase before `p`, and the sign of the motion across the switch."""
-    return (p - 1, 1) if p else (len(scene.phases) - 1, scene.sign)
 
 
 def joints(
@@ -83,7 +78,7 @@ def joints(
 ) -> Iterator[Condition]:
     """Yield continuity of displacement, the law of the velocity, and smoothness up to C^k."""
     for p, switch in enumerate(switches):
-        left, sign = _before(scene, p)
+        left, sign = scene.before(p)
         name, held = switch.before, scene.phases[p].held is not None
         yield Condition(
             f"displacement_{name}",
@@ -119,8 +114,7 @@ def events_after(scene: Scene, times: Times, start: End, end: End) -> Iterator[C
     for p, phase in enumerate(scene.cell):
 
         def after(q: int, order: int, jump: bool = v in phase.ends.jump) -> sp.Expr:
-            following = (q + 1) % len(scene.phases)
-            sign = scene.sign if following == 0 else 1
+            following, sign = scene.after(q)
             return end(q, order) if jump and order == 1 else sign * start(following, order)
 
         name, words = f"event_{phase.name}_after", ", in the state after it"

@@ -152,6 +152,14 @@ class SceneData:
         """The next cell is this times the cell: -1 if the cell is half a period, else 1."""
         return -1 if self.half_period else 1
 
+    def before(self, p: int) -> tuple[int, int]:
+        """Return the phase before phase `p` of a cell, and the sign across the switch."""
+        return (p - 1, 1) if p else (len(self.phases) - 1, self.sign)
+
+    def after(self, p: int) -> tuple[int, int]:
+        """Return the phase behind phase `p` of a cell, and the sign across the switch."""
+        return (p + 1, 1) if p + 1 < len(self.phases) else (0, self.sign)
+
     @property
     def label(self) -> str:
         """Its name, and that of the motion if there are several."""

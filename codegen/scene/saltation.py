@@ -34,10 +34,10 @@ def saltations(scene: SceneData) -> tuple[sp.Matrix, ...]:
     [(a_after + a_before*r)/v, -r]])
     """
     cell_switches, phases = switches(scene), scene.phases
-    after = [(p + 1) % len(phases) for p in range(len(phases))]
+    behind = (scene.after(p)[0] for p in range(len(phases)))
     return tuple(
         saltation(left, phases[q], cell_switches[q].k, scene.memory)
-        for left, q in zip(phases, after, strict=True)
+        for left, q in zip(phases, behind, strict=True)
     )
 
 

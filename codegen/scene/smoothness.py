@@ -86,10 +86,9 @@ def classes_of(scene: SceneData, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[i
 
 def _sides(scene: SceneData) -> Iterator[tuple[Phase, Phase, int]]:
     """Yield the phases on both sides of each switch, and the sign of the motion there."""
-    left, sign = scene.cell[-1], scene.sign
-    for right in scene.cell:
-        yield left, right, sign
-        left, sign = right, 1
+    for p, right in enumerate(scene.cell):
+        left, sign = scene.before(p)
+        yield scene.cell[left], right, sign
 
 
 def generator(
@@ -111,8 +110,8 @@ def place(scene: SceneData, p: int) -> sp.Expr | None:
 
     It is known if the event of the phase before prescribes a displacement.
     """
-    phase, sign = scene.cell[p], scene.sign if p == 0 else 1
-    displacement = fixed(scene.cell[p - 1], x)
+    phase, (left, sign) = scene.cell[p], scene.before(p)
+    displacement = fixed(scene.cell[left], x)
     at_rest = phase.held is not None and sp.sympify(phase.held) == 0
     return sign * displacement if at_rest and displacement is not None else None
 

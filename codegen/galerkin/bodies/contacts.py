@@ -163,12 +163,12 @@ class Contacts:
 
     def impulses(self, p: int) -> Iterator[tuple[int, sp.Expr]]:
         """Yield the contacts with an impulse at the end of a phase, and their velocity then."""
-        scene, is_last = self.scene, p == len(self.scene.phases) - 1
-        after = scene.phases[0 if is_last else p + 1]
+        scene, (q, sign) = self.scene, self.scene.after(p)
+        after = scene.phases[q]
         for c, contact in enumerate(self.each):
             law = sp.sympify(scene.phases[p].ends.jump.get(contact.v, contact.v))
             if c == 0 and after.held is not None:
-                law = (scene.sign if is_last else 1) * sp.sympify(after.held)
+                law = sign * sp.sympify(after.held)
             if law != contact.v:
                 yield c, law
 

@@ -91,7 +91,7 @@ def galerkin(terms: Terms, c: int) -> Condition:
 def jump(terms: Terms, q: Function) -> Condition:
     """Return the condition of a function with a break: its jump is that of the laws."""
     p = q.phase
-    left, sign = (p - 1, 1) if p else (len(terms.phases) - 1, terms.times.sign)
+    left, sign = terms.scene.before(p)
     after = terms.law(p, False, q.n - 1)[q.contact]
     before = terms.law(left, True, q.n - 1)[q.contact]
     contact, phase = terms.contacts.each[q.contact].name, terms.scene.phases[p].name

@@ -34,7 +34,7 @@ def conditions(scene: Scene, times: Times, seen: Seen) -> Iterator[Condition]:
     contacts = Contacts(scene)
     for p, phase in enumerate(scene.phases):
         hit, velocities = dict(contacts.impulses(p)), seen(p, True)
-        after = scene.phases[(p + 1) % len(scene.phases)]
+        after = scene.phases[scene.after(p)[0]]
         for c, law in hit.items():
             contact, row = contacts.each[c], contacts.form(law - contacts.each[c].v)
             push = sp.Add(

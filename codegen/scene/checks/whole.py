@@ -50,9 +50,9 @@ def _check_motion(scene: SceneData) -> None:
     units |= check_memory(scene, units)
     for phase in scene.phases:
         check_phase(phase, scene, units)
-    for phase, after in zip(scene.phases, scene.phases[1:], strict=False):
-        check_neighbours(phase, after, 1)
-    check_neighbours(scene.phases[-1], scene.phases[0], scene.sign)
+    for p, phase in enumerate(scene.phases):
+        after, sign = scene.after(p)
+        check_neighbours(phase, scene.phases[after], sign)
     if scene.body is None:
         check_same_units(scene.phases, units)
     _check_whole(scene, units)
