@@ -10,8 +10,9 @@ from functools import cached_property
 import sympy as sp
 
 from ..galerkin import Times
+from ..galerkin.bodies.contacts import Contacts
 from ..scene import Scene, Switch, saltations, switches
-from ..scene.bodies.law import body_of
+from ..scene.bodies.law import contacts_of
 from ..scenes import numbers_of
 from .conditions.functions import T, omega_0, state
 
@@ -78,13 +79,12 @@ class Notation:
         """Return a derivative of the displacement of contact `c`, which is x for the first."""
         if c == 0:
             return state(order, time)
-        name = list(body_of(self.scene).at)[c]
-        return sp.Function(f"x_{name}" + "'" * order)(time)
+        name = contacts_of(self.scene)[c].x.name
+        return sp.Function(name + "'" * order)(time)
 
     def force(self, c: int, time: sp.Expr) -> sp.Expr:
         """Return the force at contact `c`, which is f if it is the only one."""
-        names = list(body_of(self.scene).at)
-        return sp.Function("f" if len(names) == 1 else f"f_{names[c]}")(time)
+        return sp.Function(Contacts(self.scene).name("f", c))(time)
 
     def during(self, p: int) -> str:
         """Return the time interval of phase `p`, as text."""

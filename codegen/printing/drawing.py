@@ -3,8 +3,6 @@
 Input: an expression.  Output: SymPy's form of a drawing, in Unicode or in plain ASCII.
 """
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from functools import lru_cache
 
 import sympy as sp
@@ -174,16 +172,7 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         return prettyForm(*stringPict.next(self._name(f"j{expr.args[0]}"), argument))
 
 
-@contextmanager
-def _characters(unicode: bool) -> Iterator[None]:
-    """Choose the characters: SymPy keeps the choice in a global."""
-    before = pretty_use_unicode(unicode)
-    try:
-        yield
-    finally:
-        pretty_use_unicode(before)
-
-
+@lru_cache(maxsize=10_000)  # drawn once what is measured for several widths of a line
 def drawn(expression: sp.Expr, unicode: bool = True, sign: bool = False) -> prettyForm:
     """Return `expression` drawn, however wide; of a sum, on request, the sign alone.
 
@@ -196,12 +185,9 @@ def drawn(expression: sp.Expr, unicode: bool = True, sign: bool = False) -> pret
     -- + Sum a[n]
     2    n=1
     """
-    return _drawn(expression, unicode, sign)
-
-
-@lru_cache(maxsize=10_000)
-def _drawn(expression: sp.Expr, unicode: bool, sign: bool) -> prettyForm:
-    """Draw once what is measured for several widths of a line, and then printed."""
-    with _characters(unicode):
+    before = pretty_use_unicode(unicode)  # SymPy keeps the choice in a global
+    try:
         drawing = _Drawing({"use_unicode": unicode, "wrap_line": False, "order": "none"})
         return drawing.sum_sign(expression) if sign else drawing._print(expression)
+    finally:
+        pretty_use_unicode(before)
