@@ -6,6 +6,7 @@ notation, with its numbers.  It is frozen; nothing downstream of it derives anyt
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -83,6 +84,10 @@ class Equation:
 
     def _repr_latex_(self) -> str:
         return self.latex()
+
+
+#: An equation without a number, in words and with its sides.
+line = partial(Equation, "")
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,11 @@
-"""Records of the conditions for printing: times, unknowns, conditions and tables."""
+"""Records of the conditions for printing: times, unknowns and conditions."""
 
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ..scene import Scene
+from ..system import Equation
 
 #: The order of the expansion; with odd harmonics only, their number.
 N = sp.Symbol("N", integer=True, positive=True)
@@ -176,37 +177,17 @@ class GalerkinConditions:
 
 
 @dataclass(frozen=True)
-class Table:
-    """A quantity that conditions use, with its definition.
-
-    Parameters
-    ----------
-    entry : Indexed or Symbol
-        The quantity, with free indices.
-    title : str
-    sides : tuple of Expr
-        Expressions equal to it, from the definition to the closed form.
-    where : str
-        The range of the indices in words.
-    """
-
-    entry: sp.Expr
-    title: str
-    sides: tuple[sp.Expr, ...]
-    where: str = ""
-
-
-@dataclass(frozen=True)
 class BodyConditions(GalerkinConditions):
     """The conditions of a body, each linear in the coefficients and in entries of tables.
 
     Parameters
     ----------
-    expansion : tuple of Table
+    expansion : tuple of Equation
         The expansions of the forces.
-    tables : tuple of Table
-        In an order in which each depends only on earlier ones.
+    tables : tuple of Equation
+        The quantities that conditions use: with free indices, then the expressions equal to
+        it, from the definition to the closed form.  Each depends only on earlier ones.
     """
 
-    expansion: tuple[Table, ...] = ()
-    tables: tuple[Table, ...] = ()
+    expansion: tuple[Equation, ...] = ()
+    tables: tuple[Equation, ...] = ()

@@ -1,17 +1,13 @@
 """A structure for a reader: its problem, its exact modes, the three expansions, their rates."""
 
 from collections.abc import Iterable, Iterator
-from functools import partial
 
 import sympy as sp
 
-from ..system import Equation, Inner, Section
+from ..system import Equation, Inner, Section, line
 from . import forced_modes, green, matching, series
 from .data import Structure, a, beta, lam, s, x
 from .structures import structure_named
-
-#: An equation without a number, in words and with its sides.
-line = partial(Equation, "")
 
 n, N, i, j, l = sp.symbols("n N i j l", integer=True, positive=True)
 u, g = sp.Function("u"), sp.IndexedBase("g")

@@ -223,7 +223,7 @@ class Shown:
     def _from_tables(self, head: Any, given: list[Any]) -> complex:
         fits = []
         for table in self.record.tables:
-            own, slots = _split(table.entry)
+            own, slots = _split(table.sides[0])
             pairs = list(zip(slots, given, strict=True)) if own == head else []
             if own == head and all(slot.is_Symbol or slot == value for slot, value in pairs):
                 fits.append((sum(slot.is_Symbol for slot in slots), table, pairs))
@@ -233,7 +233,7 @@ class Shown:
         if "!= 0" in table.where and given[-1] == 0:
             return 0
         values = [
-            self.of(side, {a: b for a, b in pairs if a.is_Symbol}) for side in table.sides
+            self.of(side, {a: b for a, b in pairs if a.is_Symbol}) for side in table.sides[1:]
         ]
         assert np.allclose(values, values[0], rtol=1e-9, atol=1e-9), table.title
         return values[0]

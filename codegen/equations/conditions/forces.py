@@ -1,12 +1,13 @@
 """Conditions on the contact forces of a body, to be printed."""
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 import sympy as sp
 
 from ...galerkin import GalerkinConditions
 from ...galerkin.bodies.contacts import Contacts, j, pole
-from ...galerkin.condition import BodyConditions, Table
+from ...galerkin.condition import BodyConditions
 from ...system import Equation
 from .family import Family
 from .functions import t
@@ -56,7 +57,6 @@ class Forces(Family):
                 words = f"mobility: the acceleration of {contact.name} by a force"
                 yield Equation("", words, (contacts.mobility(c, d), total))
 
-    def _shown(self, tables: Iterable[Table]) -> Iterator[Equation]:
-        for table in tables:
-            sides = map(self.spelled, (table.entry, *table.sides))
-            yield Equation("", table.title, tuple(sides), table.where)
+    def _shown(self, rows: Iterable[Equation]) -> Iterator[Equation]:
+        for row in rows:
+            yield replace(row, sides=tuple(map(self.spelled, row.sides)))

@@ -11,7 +11,8 @@ from collections.abc import Iterator
 import sympy as sp
 
 from ...scene import Scene
-from ..condition import Block, BodyConditions, Condition, Table, cycles, phi
+from ...system import Equation, line
+from ..condition import Block, BodyConditions, Condition, cycles, phi
 from . import joints
 from .tables import tables
 from .terms import Function, T, Terms, beta, m, n, omega_0, t
@@ -48,7 +49,7 @@ def blocks(terms: Terms) -> Iterator[Block]:
     yield from joints.blocks(terms.scene)
 
 
-def expansion(terms: Terms) -> Iterator[Table]:
+def expansion(terms: Terms) -> Iterator[Equation]:
     """Yield the expansions of the forces."""
     for c, contact in enumerate(terms.contacts.each):
         wave = sp.exp(sp.I * terms.times.harmonic(n) * omega_0 * t)
@@ -58,8 +59,8 @@ def expansion(terms: Terms) -> Iterator[Table]:
                 age = (t - terms.times.start(q.phase)) / terms.cell
                 total += terms.factor(q) * beta(q.n, age)
         entry = sp.Function(terms.contacts.name("f", c))(t)
-        yield Table(entry, f"force at {contact.name}", (total,))
-    yield Table(omega_0, "frequency", (2 * sp.pi / T,))
+        yield line(f"force at {contact.name}", (entry, total))
+    yield line("frequency", (omega_0, 2 * sp.pi / T))
 
 
 def galerkin(terms: Terms, c: int) -> Condition:

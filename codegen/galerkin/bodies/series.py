@@ -9,9 +9,9 @@ from collections.abc import Iterator
 import sympy as sp
 
 from ...scene import Scene
-from ...system import ShiftedLegendre
+from ...system import Equation, ShiftedLegendre, line
 from .. import force_series
-from ..condition import Block, BodyConditions, Condition, N, Table
+from ..condition import Block, BodyConditions, Condition, N
 from ..force_series import kappa
 from . import joints
 from .contacts import OfForces, dot, j, pole
@@ -59,7 +59,7 @@ class _Series(OfForces):
                 yield Block(self.force(p, c), self.last(p) + 1, what)
         yield from joints.blocks(self.scene)
 
-    def expansion(self) -> Iterator[Table]:
+    def expansion(self) -> Iterator[Equation]:
         """Yield the forces in each phase, at its local time."""
         for p, phase in enumerate(self.scene.phases):
             for c, contact in enumerate(self.contacts.each):
@@ -68,7 +68,7 @@ class _Series(OfForces):
                 )
                 entry = sp.Function(self.contacts.name("f", c))(u)
                 words = f"force at {contact.name} in {phase.name}, at its local time"
-                yield Table(entry, words, (series.doit(deep=False),), "`0 <= u <= 1`")
+                yield line(words, (entry, series.doit(deep=False)), "`0 <= u <= 1`")
 
     def wave(self, p: int) -> sp.Expr:
         """Return the forcing where phase `p` begins, as a complex wave."""
@@ -100,7 +100,7 @@ class _Series(OfForces):
             else:
                 yield Condition(f"law_{contact.name}_{name}", title, row, m, sp.S.Zero, N + 1)
 
-    def tables(self) -> Iterator[Table]:
+    def tables(self) -> Iterator[Equation]:
         """Yield the tables that the conditions use."""
         yield from integrals()
         phases = self.scene.phases
@@ -110,35 +110,33 @@ class _Series(OfForces):
             gain = self._by_forces(p, (-1) ** n * self.table("a", phase=p)[n, j])
             of_phase = sp.Integral(ShiftedLegendre(m, u) * sp.exp(pole[j] * s * u), (u, 0, 1))
             words = f"what a pole makes in {phase.name} of its state"
-            yield Table(self.table("a", phase=p)[m, j], words, (of_phase, a_at(m, pole[j] * s)))
+            yield line(words, (self.table("a", phase=p)[m, j], of_phase, a_at(m, pole[j] * s)))
             words = f"what a pole makes in {phase.name} of a force"
-            yield Table(self.table("Z", phase=p)[m, n, j], words, (Z_at(m, n, pole[j] * s),))
+            yield line(words, (self.table("Z", phase=p)[m, n, j], Z_at(m, n, pole[j] * s)))
             if self.times.frequency is not None:
                 words = f"the forcing in {phase.name}, tested"
                 turned = sp.I * self.times.frequency * s
-                yield Table(self.table("nu", phase=p)[m], words, (a_at(m, turned),))
+                yield line(words, (self.table("nu", phase=p)[m], a_at(m, turned)))
             words = f"what the force in {phase.name} adds to a pole"
-            yield Table(self.table("g", phase=p)[j], words, (s * gain,))
-        yield Table(
-            self.table("z", phase=0)[j],
-            f"state of a pole where {phases[0].name} begins: the motion repeats",
-            (sign * self._added() / (1 - sign * sp.exp(pole[j] * cell)),),
-        )
+            yield line(words, (self.table("g", phase=p)[j], s * gain))
+        words = f"state of a pole where {phases[0].name} begins: the motion repeats"
+        repeated = sign * self._added() / (1 - sign * sp.exp(pole[j] * cell))
+        yield line(words, (self.table("z", phase=0)[j], repeated))
         for p, phase in enumerate(phases):
             s = self.times.durations[p]
             z, w = self.table("z", phase=p)[j], self.table("w", phase=p)[j]
             words = f"state of a pole where {phase.name} ends"
             end = sp.exp(pole[j] * s) * z + self.table("g", phase=p)[j]
-            yield Table(w, words, (end,))
+            yield line(words, (w, end))
             if p + 1 < len(phases):
                 words = f"state of a pole where {phases[p + 1].name} begins"
-                yield Table(self.table("z", phase=p + 1)[j], words, (w + self._pushed(p),))
+                yield line(words, (self.table("z", phase=p + 1)[j], w + self._pushed(p)))
         for p, phase in enumerate(phases):
             s = self.times.durations[p]
             forced = self._by_forces(p, self.table("Z", phase=p)[m, n, j])
             tested = self.table("a", phase=p)[m, j] * self.table("z", phase=p)[j] + s * forced
             words = f"state of a pole in {phase.name}, tested with `P*_m`"
-            yield Table(self.table("y", phase=p)[m, j], words, (tested,))
+            yield line(words, (self.table("y", phase=p)[m, j], tested))
 
     def _by_forces(self, p: int, weight: sp.Expr) -> sp.Expr:
         """Return the modal force on a pole by weighted coefficients of forces in a phase."""
@@ -169,7 +167,7 @@ class _Series(OfForces):
 a_at, b_at, Z_at = map(sp.Function, "abZ")
 
 
-def integrals() -> Iterator[Table]:
+def integrals() -> Iterator[Equation]:
     """Yield the two integrals of `force_series` and their emitted recurrences."""
     formulas = {q.name: q.value for q in force_series.formulas()}
     before, here = force_series.before, force_series.here
@@ -189,24 +187,24 @@ def integrals() -> Iterator[Table]:
         return Z_at(m, n, kappa)
 
     power = sp.Integral(ShiftedLegendre(m, u) * sp.exp(kappa * u), (u, 0, 1))
-    yield Table(of(m), "what a pole makes of its state", (power,))
-    yield Table(of(sp.S.Zero), "its first entry", (put("moment_0", {}),))
-    yield Table(of(sp.S.One), "its second entry", (put("moment_1", {here: of(sp.S.Zero)}),))
+    yield line("what a pole makes of its state", (of(m), power))
+    yield line("its first entry", (of(sp.S.Zero), put("moment_0", {})))
+    yield line("its second entry", (of(sp.S.One), put("moment_1", {here: of(sp.S.Zero)})))
     recurrence = put("next_moment", {before: of(m - 1), here: of(m)})
-    yield Table(of(m + 1), "its recurrence", (recurrence,), "`m > 0`")
+    yield line("its recurrence", (of(m + 1), recurrence), "`m > 0`")
     words = (
         "what a pole keeps of a force: the inner integral is `b_n e^(kappa u)` and a polynomial"
     )
-    yield Table(kept(sp.S.Zero), words, (put("answer_0", {}),))
-    yield Table(kept(sp.S.One), "its second entry", (put("answer_1", {here: kept(sp.S.Zero)}),))
+    yield line(words, (kept(sp.S.Zero), put("answer_0", {})))
+    yield line("its second entry", (kept(sp.S.One), put("answer_1", {here: kept(sp.S.Zero)})))
     recurrence = put("next_answer", {before: kept(n - 1), here: kept(n)})
-    yield Table(kept(n + 1), "its recurrence", (recurrence,), "`n > 0`")
+    yield line("its recurrence", (kept(n + 1), recurrence), "`n > 0`")
     inner = sp.Integral(sp.exp(kappa * (u - y)) * ShiftedLegendre(n, y), (y, 0, u))
     double_integral = sp.Integral(ShiftedLegendre(m, u) * inner, (u, 0, 1))
-    yield Table(both(m, n), "what a pole makes of a force", (double_integral,))
-    yield Table(both(m, n), "below the diagonal", (of(m) * kept(n),), "`m > n`")
-    yield Table(both(n, m), "above it", ((-1) ** (m + n) * both(m, n),), "`m > n`")
+    yield line("what a pole makes of a force", (both(m, n), double_integral))
+    yield line("below the diagonal", (both(m, n), of(m) * kept(n)), "`m > n`")
+    yield line("above it", (both(n, m), (-1) ** (m + n) * both(m, n)), "`m > n`")
     entry = put("response_0", {here: of(sp.S.Zero), force_series.after: of(sp.S.One)})
-    yield Table(both(sp.S.Zero, sp.S.Zero), "its first entry", (entry,))
+    yield line("its first entry", (both(sp.S.Zero, sp.S.Zero), entry))
     values = {before: both(n, n - 1), force_series.after: both(n + 1, n)}
-    yield Table(both(n, n), "on the diagonal", (put("same_response", values),), "`n > 0`")
+    yield line("on the diagonal", (both(n, n), put("same_response", values)), "`n > 0`")

@@ -163,21 +163,20 @@ class Terms(OfForces):
     def constant(self, p: int) -> list[sp.Expr]:
         """Return the constant part of the forces in a phase, with that of memories."""
         nothing = [(sp.Integer(0),) * 3] * self.count
-        return self._by_law(p, nothing, one=1)
+        return self.by_parts(p, nothing, one=1)
 
     def driven(self, p: int) -> list[sp.Expr]:
         """Return the complex amplitude of the forces in a phase by the forcing."""
         if self.times.frequency is None:
             return [sp.Integer(0)] * self.count
-        return self._by_law(p, self.contacts.of_response(), wave=1)
+        return self.by_parts(p, self.contacts.of_response(), wave=1)
 
-    def by_parts(self, p: int, parts: Sequence[tuple[sp.Expr, ...]]) -> list[sp.Expr]:
-        """Return the forces in a phase by displacements, velocities, accelerations alone."""
-        return self._by_law(p, parts)
-
-    def _by_law(
+    def by_parts(
         self, p: int, parts: Sequence[tuple[sp.Expr, ...]], wave: int = 0, one: int = 0
     ) -> list[sp.Expr]:
-        """Return the forces by the law of a phase, for given signals."""
+        """Return the forces in a phase by displacements, velocities, accelerations alone.
+
+        `wave` and `one` are put in place of the forcing and of 1.
+        """
         signals = self.contacts.seen(parts, sp.Integer(wave), sp.Integer(one))
         return self.contacts.by_law(p, signals)
