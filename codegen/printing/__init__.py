@@ -1,1 +1,1 @@
-"""A record as a reader sees it: text for a terminal, LaTeX, HTML, written out at one order."""
+"""A record as a reader sees it: text for a terminal, LaTeX, HTML."""

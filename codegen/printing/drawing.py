@@ -10,7 +10,7 @@ from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
-from .order import factors, in_given_order, terms
+from .order import factors, terms
 
 SUBSCRIPTS = str.maketrans("0123456789+-()ijklmnrs", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ᵢⱼₖₗₘₙᵣₛ")
 SUPERSCRIPTS = str.maketrans("0123456789+-()cijklmnsN", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᶜⁱʲᵏˡᵐⁿˢᴺ")
@@ -58,8 +58,6 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         return terms(expr)
 
     def _print_Mul(self, product: sp.Mul) -> prettyForm:
-        if in_given_order(product):
-            return super()._print_Mul(product)
         ordered = factors(product)
         return super()._print_Mul(ordered) if ordered.is_Mul else self._print(ordered)
 
@@ -159,17 +157,11 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         head = self._indexed(LETTERS[expr.func.__name__], (index,))
         return prettyForm(*stringPict.next(head, prettyForm(*self._print(argument).parens())))
 
-    _print_bernoulli = _print_euler = _print_legendre = _with_index
+    _print_bernoulli = _print_euler = _print_legendre = _print_jn = _with_index
     _print_ShiftedLegendre = _print_TwiceIntegrated = _with_index  # noqa: N815  (of classes)
 
     def _print_KroneckerDelta(self, expr: sp.KroneckerDelta) -> prettyForm:
         return prettyForm(self._indexed("delta", expr.args))
-
-    def _print_jn(self, expr: sp.jn) -> prettyForm:
-        if not expr.args[0].is_Integer:
-            return self._with_index(expr)
-        argument = prettyForm(*self._print(expr.args[1]).parens())
-        return prettyForm(*stringPict.next(self._name(f"j{expr.args[0]}"), argument))
 
 
 @lru_cache(maxsize=10_000)  # drawn once what is measured for several widths of a line

@@ -70,12 +70,6 @@ def factors(product: sp.Mul) -> sp.Expr:
     return sp.Mul(*([] if number == 1 else [number]), *ordered, evaluate=False)
 
 
-def in_given_order(product: sp.Mul) -> bool:
-    """Return whether a product was made unevaluated, its numbers to be seen as they stand."""
-    first, *others = product.args
-    return first == 1 or any(factor.is_Number for factor in others)
-
-
 def _one_root(all_factors: list[sp.Expr]) -> list[sp.Expr]:
     above = [q for q in all_factors if q.is_Pow and q.exp == sp.S.Half]
     below = [q for q in all_factors if q.is_Pow and q.exp == -sp.S.Half]

@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
 from .drawing import LETTERS, with_word
-from .order import factors, in_given_order, terms
+from .order import factors, terms
 
 
 class _Latex(LatexPrinter):  # type: ignore[misc]
@@ -19,7 +19,7 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         return terms(expr)
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        if not isinstance(expr, sp.Mul) or in_given_order(expr):
+        if not isinstance(expr, sp.Mul):
             return str(super()._print_Mul(expr))
         if expr.could_extract_minus_sign():
             return f"- {self._in_order(-expr)}"
@@ -45,11 +45,8 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         return f"{self._print(expr.base.label)}_{{{indices}}}"
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
-        (variable, order), *others = expr.variable_count
+        ((variable, order),) = expr.variable_count
         function = expr.expr
-        if not others and variable == sp.Symbol("t", positive=True) and function.func in _DOTS:
-            dot = "dot" if order == 1 else "ddot"
-            return rf"\{dot}{{{_DOTS[function.func]}}}\left(t\right)"
         if isinstance(function, sp.core.function.AppliedUndef):
             return self._primed(function, int(order), variable)
         below = rf"\partial {self._print(variable)}"
@@ -76,8 +73,6 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
 def _upright(word: str) -> str:
     return rf"\mathrm{{{word.replace('_', chr(92) + '_')}}}"
 
-
-_DOTS = {sp.Function("x"): "x", sp.Function("g1"): "g_{1}"}
 
 #: Brackets about what is no higher than they are: they need not stretch.
 _FLAT = re.compile(
