@@ -111,11 +111,10 @@ def _mathematics(sides: Sequence[sp.Expr], unicode: bool) -> list[str]:
         lines = [prettyForm(*rows[0].left(EQUALS)) for rows in beside]
         lines[:1] = [prettyForm(*stringPict.next(head, " ", lines[0]))]
         return _stacked([lines[0], *(prettyForm(*line.left(margin)) for line in lines[1:])])
-    first_rows = _rows(sides[0], COLUMNS - len(CONTINUED), unicode)
-    rows = _prefixed(first_rows, "")
-    for side in sides[1:]:
+    rows: list[prettyForm] = []
+    for side in sides:
         wrapped = _rows(side, COLUMNS - len(CONTINUED), unicode)
-        rows += _prefixed(wrapped, EQUALS)
+        rows += _prefixed(wrapped, EQUALS if rows else "")
     return _stacked(rows)
 
 

@@ -1,7 +1,7 @@
 """Units as powers of kilogram, metre and second, and the balance of an expression."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 import sympy as sp
@@ -13,19 +13,14 @@ Dimension = tuple[Fraction, Fraction, Fraction]
 
 NONE: Dimension = (Fraction(0), Fraction(0), Fraction(0))
 
-
-def _powers(kg: int, m: int, s: int) -> Dimension:
-    return Fraction(kg), Fraction(m), Fraction(s)
-
-
 #: Units of which others are products of powers.
-BASE: Mapping[str, Dimension] = {
-    "kg": _powers(1, 0, 0),
-    "m": _powers(0, 1, 0),
-    "s": _powers(0, 0, 1),
-    "N": _powers(1, 1, -2),
-    "rad": NONE,
-    "1": NONE,
+BASE = {
+    "kg": (1, 0, 0),
+    "m": (0, 1, 0),
+    "s": (0, 0, 1),
+    "N": (1, 1, -2),
+    "rad": (0, 0, 0),
+    "1": (0, 0, 0),
 }
 
 _FACTOR = re.compile(r"([A-Za-z]+|1)(?:\^(\d+|\(\d+/[1-9]\d*\)))?")
@@ -57,7 +52,7 @@ def dimension_of(unit: str) -> Dimension:
     return total
 
 
-def _sum(left: Dimension, right: Dimension, times: Fraction) -> Dimension:
+def _sum(left: Dimension, right: Sequence[Fraction | int], times: Fraction) -> Dimension:
     a, b, c = (p + times * q for p, q in zip(left, right, strict=True))
     return a, b, c
 
