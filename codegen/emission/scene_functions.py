@@ -6,26 +6,27 @@ from typing import NamedTuple
 import sympy as sp
 
 from ..python_text import python
-from ..scene import Phase, Scene, forcing, linear_phase, state_row, v, x
-from ..scene.bodies.body import Body, force
-from ..scene.bodies.law import form, law_rows, place, velocities
+from ..scene import Phase, Scene, linear_phase, state_row
+from ..scene.bodies.body import Body
+from ..scene.bodies.law import form, law_rows, place, signals, velocities
 from ..scene.data import SceneData
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
 
 
-def _linear(demands: Mapping[str, sp.Expr]) -> list[tuple[str, sp.Expr]]:
+def _linear(demands: Mapping[str, sp.Expr], scene: SceneData) -> list[tuple[str, sp.Expr]]:
     """Return demands without moduli, each linear, with its words."""
+    states = [q for q in signals(scene) if q != 1]
     return [
         (words, part)
         for words, demand in demands.items()
-        for part in without_modulus(sp.sympify(demand), (x, v, force, forcing))
+        for part in without_modulus(sp.sympify(demand), states)
     ]
 
 
-def words_of(demands: Mapping[str, sp.Expr]) -> tuple[str, ...]:
+def words_of(demands: Mapping[str, sp.Expr], scene: SceneData) -> tuple[str, ...]:
     """Return the words of demands, once for each of their linear forms."""
-    return tuple(words for words, _ in _linear(demands))
+    return tuple(words for words, _ in _linear(demands, scene))
 
 
 class Function(NamedTuple):
@@ -88,7 +89,7 @@ def of_phases(scene: SceneData) -> Iterator[Function]:
     phases, memory = scene.cell, [q.symbol for q in scene.memory]
 
     def forms(demands: Mapping[str, sp.Expr], what: str) -> list[Row]:
-        return [form(part, scene, what) for _, part in _linear(demands)]
+        return [form(part, scene, what) for _, part in _linear(demands, scene)]
 
     sides = "m x'' + c x' + k x = f + g cos"
     and_memory = "" if not memory else ", and of each memory on the right side"

@@ -169,8 +169,8 @@ def _data_of_phases(scene: SceneData) -> Iterator[str]:
     yield f"MEMORY = {memory!r}"
     yield ""
     yield "#: What must not be negative: in each phase, and at the switch that ends it."
-    yield f"DEMANDS = {tuple(words_of(phase.demands) for phase in phases)!r}"
-    yield f"SWITCH_DEMANDS = {tuple(words_of(phase.ends.demands) for phase in phases)!r}"
+    yield f"DEMANDS = {tuple(words_of(phase.demands, scene) for phase in phases)!r}"
+    yield f"SWITCH_DEMANDS = {tuple(words_of(phase.ends.demands, scene) for phase in phases)!r}"
     yield ""
 
 

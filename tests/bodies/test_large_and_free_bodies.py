@@ -258,3 +258,26 @@ def test_static_shapes_give_way_as_the_whole_body_does() -> None:
     assert found.at.T @ (found.at / found.squares[:, None]) == pytest.approx(compliance)
     assert not found.residual.any()
     assert found.squares[8:].min() > found.squares[:8].max()
+
+
+@pytest.mark.parametrize(("width", "admitted"), [(2.0, True), (0.1, False)])
+def test_a_demand_may_have_the_modulus_of_any_contact(width: float, admitted: bool) -> None:
+    """A mass in the middle of a row must stay within a width, which the end does not know."""
+    d = sp.Symbol("d", positive=True)
+    M, K = (q.toarray() for q in chain(3))
+    own = Body(
+        M=M, K=K, C=K / 10, forcing=np.eye(3)[0] / 2, at={"end": [0, 0, 1], "middle": [0, 1, 0]}
+    )
+    end, middle = own.at.values()
+    within = {"the middle stays within": d - sp.Abs(middle.x)}
+    laws = (end.force + k * (end.x - g), middle.force), (end.force, middle.force)
+    touch = Phase("touch", laws[0], Event(end.x - g), {"in": end.x - g} | within)
+    free = Phase("free", laws[1], Event(end.x - g), {"before": g - end.x} | within)
+    numbers = ("stop", k, "N/m", 5.0), ("gap", g, "m", 0.3), ("width", d, "m", width)
+    parameters = [Parameter(*q, q[0]) for q in (*numbers, ("frequency", Omega, "rad/s", 0.9))]
+    scene = Scene("row", "", tuple(parameters), (touch, free), frequency=Omega, body=own)
+    if admitted:
+        assert ns.solve(ns.scene(scene)(), order=10).stable
+    else:
+        with pytest.raises(ns.NoOrbit, match="not true that the middle stays within"):
+            ns.solve(ns.scene(scene)(), order=10)
