@@ -24,6 +24,7 @@ from nonsmooth.solver.branch.walk import FAMILY
 from nonsmooth.solver.chart import LINES, planes_of
 from nonsmooth.solver.charts import block, filling, lines
 from nonsmooth.solver.scenes.case import index_of
+from nonsmooth.solver.scenes.ordered import of_all_phases
 from nonsmooth.solver.simulation import machine
 from nonsmooth.solver.simulation.steps import run
 from nonsmooth.solver.simulation.steps.state import State
@@ -56,7 +57,7 @@ def measured(scene: str) -> tuple[float, float, float]:
     case = ns.scene(scene)(**values)
     orbit = ns.exact(case)
     piece, place = start_of(orbit, index_of(orbit.case, "frequency"), ends)
-    simulated = machine.Machine(case.of_fullest().cell)
+    simulated = machine.Machine(of_all_phases(case).cell)
     (row,) = ns.family(orbit.case, "frequency", [values.get("frequency", 0.8)])[:1]
     start = State(*np.divide(row.strobe, [case.units.length, case.units.of_motion(1)]), 0.0)
     phases = len(ns.simulate(case, row.strobe, cycles=CYCLES).phases)

@@ -6,9 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 import nonsmooth as ns
+from nonsmooth.solver.bodies.motion import Given
 from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.kernels.bodies import Given, exact_kernel
+from nonsmooth.solver.kernels.bodies import exact_kernel
 
 from .problem import OMEGA, Row
 

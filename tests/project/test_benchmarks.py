@@ -107,3 +107,18 @@ def test_the_two_scenes_with_rivals_by_hand_are_timed(ran) -> None:
     assert len(rows) > 16
     for _, name, error in rows:
         assert float(error) < (1e-12 if "exact" in name else 5e-2), name
+
+
+def test_what_branches_and_maps_cost_is_measured(monkeypatch) -> None:
+    """In plain Python, on ranges of two or three orbits."""
+    monkeypatch.syspath_prepend(ROOT)
+    from benchmarks import branches
+
+    for name, few in {"ROUNDS": 1, "STEPS": 2, "CYCLES": 3, "POINTS": 3, "LINES": 2}.items():
+        monkeypatch.setattr(branches, name, few)
+    values, _ = branches.RESPONSES["clearance"]
+    monkeypatch.setitem(branches.RESPONSES, "clearance", (values, (0.99, 1.01)))
+    monkeypatch.setitem(branches.MAPS, "clearance", ((0.29, 0.31), "force"))
+    monkeypatch.setattr(branches, "RESPONSE", (99.9, 100.1))
+    costs = *branches.measured("clearance"), branches.mapped("clearance"), *branches.of_beam(2)
+    assert all(cost > 0 for cost in costs)
