@@ -62,8 +62,8 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
 def vanishing(machine: Machine, p: int) -> int:
     """Return how many of an event and its first two rates vanish where its phase begins.
 
-    Phase p follows the one before it in the cell.  They vanish by the event of that, by what it
-    holds, as a rest is where it began, and by the memory that phase p sets.
+    Known there are: the event of the phase before it in the cell is zero; what that phase holds
+    is held; a rest ends where it began; and phase p has just set its memory.
     """
     cell, state, phase = machine.cell, machine.in_state(p), machine.nodes[p].phase
     before, earlier = (
