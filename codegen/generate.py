@@ -59,7 +59,7 @@ def scene_sources(scene: Scene) -> Iterator[tuple[str, Content]]:
     yield "scene.py", scene_numbers.scene_source(scene)
     if scene.body is not None:
         yield "body.npz", scene_numbers.matrices(scene)
-    for motion in scene.motions:
+    for motion in scene.declared:
         folder = motion.replace("-", "_")
         for name, content in scene_sources(scene.of_motion(motion)):
             yield f"{folder}/{name}", content

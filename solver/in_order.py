@@ -126,7 +126,7 @@ def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
 
 
 def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
-    """Return the sequences of phases that names may mean; all begin with the same phase."""
+    """Return the sequences of phases that names may mean; the first is as it is named."""
     if not names:
         raise UnknownScene("phases: got none, expected at least one")
     signed = any(name.startswith("-") for name in names)
@@ -137,7 +137,8 @@ def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
     if len(names) > MOST_PHASES or count > MOST_WAYS:
         got = f"{len(names)} that may be meant in {count} ways"
         raise UnknownScene(f"phases: got {got}, expected fewer, or a minus before the mirrored")
-    return [steps for steps in product(*alternatives) if steps[0] == alternatives[0][0]]
+    first = choices(base, names[0])
+    return [steps for steps in product(*alternatives) if steps[0] in first]
 
 
 def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:

@@ -40,7 +40,7 @@ entry more for each constant of `MEMORY`."""
 def scene_source(scene: Scene) -> str:
     """Return the text of ``generated/<scene>/scene.py``, or of one motion of a scene."""
     defined = _functions(scene)
-    further = of_phases(all_phases(scene).scene) if scene.motions else [guess(scene)]
+    further = of_phases(all_phases(scene).scene) if scene.declared else [guess(scene)]
     nonempty = (each for each in (*defined, *further) if each.entries)
     functions = "\n\n".join(each.source(scene) for each in nonempty)
     body = "\n".join(_data(scene)) + "\n\n\n" + functions
@@ -63,7 +63,7 @@ def mathematics(scene: Scene) -> str:
     phases = [(phase.name, phase.held is not None) for phase in scene.phases]
     memory = [(q.symbol.name, q.at) for q in scene.memory]
     forms = [(function.name, function.entries) for function in _functions(scene)]
-    motion = scene.half_period, str(scene.frequency), tuple(scene.motions), scene.motion
+    motion = scene.half_period, str(scene.frequency), tuple(scene.declared), scene.motion
     body = () if scene.body is None else (_digests(scene.body),)
     return digest(repr((parameters, phases, memory, forms, motion, *body)))
 
@@ -88,7 +88,7 @@ def matrices(scene: Scene) -> bytes:
 
 def _functions(scene: Scene) -> list[Function]:
     """Return the functions of a scene; for several motions, those that they share."""
-    if scene.motions:
+    if scene.declared:
         return list(whole(scene))
     return [*whole(scene), *of_phases(scene), *start(scene)]
 
@@ -110,7 +110,7 @@ def _data(scene: Scene) -> Iterator[str]:
     yield f"CLASS = {class_of(scene)}"
     yield f"HALF_PERIOD = {scene.half_period}"
     yield f"FREQUENCY = {frequency!r}  # the parameter that is the frequency of the forcing"
-    yield f"MOTIONS = {tuple(scene.motions)!r}  # orders of phases, a folder each, if several"
+    yield f"MOTIONS = {tuple(scene.declared)!r}  # orders of phases, a folder each, if several"
     yield f"MOTION = {scene.motion or None!r}  # which of them this is"
     yield f"ALONE = {_alone(scene)!r}  # methods made for some scenes alone, this among them"
     if scene.body is not None:
@@ -121,7 +121,7 @@ def _data(scene: Scene) -> Iterator[str]:
     yield from _table("PARAMETERS", (repr(_parameter(q)) for q in scene.parameters))
     yield "#: Powers of mass, length and time in the unit of each."
     yield from _table("POWERS", (_powers(q.unit) for q in scene.parameters))
-    if scene.motions:
+    if scene.declared:
         yield from _data_of_motions(scene)
     else:
         yield from _data_of_phases(scene)
@@ -149,8 +149,12 @@ def _data_of_motions(scene: Scene) -> Iterator[str]:
     """Yield the lines of the constants of all phases that occur in several motions."""
     every = all_phases(scene)
     yield from _data_of_phases(every.scene)
+    if every.listed != tuple(phase.name for phase in every.scene.phases):
+        yield "#: Their names in the scene: some are ended by another event of a phase."
+        yield f"LISTED = {every.listed!r}"
+        yield ""
     yield "#: The order of them that each motion declares: index, and whether mirrored."
-    yield from _table("ORDERS", (repr(every.orders[name]) for name in scene.motions))
+    yield from _table("ORDERS", (repr(every.orders[name]) for name in scene.declared))
 
 
 def _data_of_phases(scene: SceneData) -> Iterator[str]:

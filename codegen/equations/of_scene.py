@@ -91,6 +91,10 @@ def _switches(notation: Notation) -> Iterator[Equation]:
     for p, phase in enumerate(scene.phases):
         left, right, _ = balanced(event(notation, p))
         yield Equation("", f"{phase.name} ends", (left, right))
+        for end in phase.each_end[1:]:
+            left, right, _ = balanced(at_the_end(notation, p, end.ends.zero))
+            words = f"in another order {phase.name} ends, as {end.name}"
+            yield Equation("", words, (left, right))
         yield from _jumps(notation, p) if scene.body is None else bodies.velocities(notation, p)
         for words, demand in scene.cell[p].ends.demands.items():
             title = f"demanded where {phase.name} ends: {marked(scene, words)}"

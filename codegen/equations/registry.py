@@ -124,8 +124,8 @@ def scene_named(scene: str | Path | Scene) -> Scene:
 
 def _motion_named(scene: Scene, motion: str) -> Scene:
     """Return one motion of a scene as a scene; a `ValueError` if it has none of this name."""
-    if motion not in scene.motions:
-        names = list(scene.motions)
+    if motion not in scene.declared:
+        names = list(scene.declared)
         expected = one_of(motion, names) if names else f"none: {scene.name} has only one"
         raise ValueError(f"motion: got {motion!r}, expected {expected}")
     return scene.of_motion(motion)

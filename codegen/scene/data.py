@@ -63,11 +63,26 @@ class Event:
     demands : mapping of str to Expr
         Expressions that must not be negative at the switch, in the state before it, by words;
         as for a phase.
+    others : tuple of Event
+        Those that may end the phase in its place, each by itself; set by ``one | other``.
     """
 
     zero: sp.Expr
     jump: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     demands: Mapping[str, sp.Expr] = field(default_factory=dict)
+    others: tuple["Event", ...] = ()
+
+    def __or__(self, other: "Event") -> "Event":
+        """Return this event, in whose place another one may end the phase."""
+        if not isinstance(other, Event):
+            return NotImplemented
+        return replace(self, others=(*self.others, *other.each))
+
+    @property
+    def each(self) -> tuple["Event", ...]:
+        """The event and those that may come in its place, each alone."""
+        alone = replace(self, others=())
+        return alone, *(each for other in self.others for each in other.each)
 
 
 @dataclass(frozen=True)
@@ -82,7 +97,7 @@ class Phase:
         Zero by the equation of motion; linear in `x`, `v`, `a` and `forcing`.  For a `Body` the
         law of its contact, linear in its `force` as well; for several contacts a tuple of laws.
     ends : Event
-        The event that ends it.
+        The event that ends it; of several, ``one | other``, the one that comes first.
     demands : mapping of str to Expr
         Expressions that must not be negative throughout the phase, by words; linear in `x`,
         `v`, `forcing`, or a bound less the ``Abs`` of such an expression.
@@ -96,6 +111,16 @@ class Phase:
     ends: Event
     demands: Mapping[str, sp.Expr] = field(default_factory=dict)
     held: sp.Expr | None = None
+
+    @property
+    def each_end(self) -> tuple["Phase", ...]:
+        """The phase with each of the events that may end it alone: ``slip``, ``slip_by_2``."""
+        first, *others = self.ends.each
+        numbered = (
+            replace(self, name=f"{self.name}_by_{i}", ends=event)
+            for i, event in enumerate(others, 2)
+        )
+        return replace(self, ends=first), *numbered
 
 
 @dataclass(frozen=True)
@@ -119,6 +144,10 @@ class Memory:
     at: str
     value: sp.Expr
     what: str
+
+
+#: Name of the order in which phases are listed, of a scene in which one has several events.
+AS_LISTED = "as-listed"
 
 
 @dataclass(frozen=True)
@@ -166,16 +195,25 @@ class SceneData:
         return f"{self.name}, {self.motion}" if self.motion else self.name
 
     @property
+    def declared(self) -> Mapping[str, tuple[Phase, ...]]:
+        """The orders of phases that it declares, by name; none if there is no other order.
+
+        Phases with several events have further orders than that in which they are listed.
+        """
+        several = not self.motion and any(phase.ends.others for phase in self.phases)
+        return {AS_LISTED: self.phases} if several else self.motions
+
+    @property
     def each_motion(self) -> tuple[Self, ...]:
         """Its motions, each as a scene; itself if it has only one."""
-        return tuple(map(self.of_motion, self.motions)) or (self,)
+        return tuple(map(self.of_motion, self.declared)) or (self,)
 
     def of_motion(self, name: str) -> Self:
         """Return one of its motions as a scene."""
         cached: dict[str, Self] = self.__dict__.setdefault("_made", {})
         if name not in cached:
-            guess = self.guess.get(name, ()) if isinstance(self.guess, Mapping) else ()
-            phases = self.motions[name]
+            given, phases = self.guess, self.declared[name]
+            guess = given.get(name, ()) if isinstance(given, Mapping) else given
             cached[name] = replace(
                 self, phases=phases, motions={}, motion=name, guess=tuple(guess)
             )

@@ -30,15 +30,18 @@ class AllPhases(NamedTuple):
     Parameters
     ----------
     scene : SceneData
-        With the phases of the longest motion, then those that only others have.  One whose
-        name occurs before has a number behind it.
+        With the phases of the longest motion, then those that only others have, then those
+        that further events end.  One whose name occurs before has a number behind it.
     orders : mapping of str to tuple of Place
         The phases of each motion.  A motion in which another phase sets a memory has none
         here, and its phases may be missing.
+    listed : tuple of str
+        The name of each phase in the scene.
     """
 
     scene: SceneData
     orders: Mapping[str, tuple[Place, ...]]
+    listed: tuple[str, ...]
 
     def followers(self, p: int) -> list[Place]:
         """Return the phases that motions have behind phase `p`, and whether mirrored.
@@ -60,9 +63,9 @@ def all_phases(scene: SceneData) -> AllPhases:
     at their switches may differ: they tell what follows.
     """
     longest, *others = sorted(scene.each_motion, key=lambda each: -len(each.phases))
-    phases = list(longest.phases)
+    phases = [phase.each_end[0] for phase in longest.phases]
     setters = {q.at: (_index(longest, q.at), False) for q in scene.memory}
-    orders: dict[str, tuple[Place, ...]] = dict.fromkeys(scene.motions, ())
+    orders: dict[str, tuple[Place, ...]] = dict.fromkeys(scene.declared, ())
     orders[longest.motion] = tuple((p, False) for p in range(len(phases)))
     for motion in others:
         places = [_place(phase, phases, scene) for phase in motion.phases]
@@ -71,12 +74,18 @@ def all_phases(scene: SceneData) -> AllPhases:
         new = [q for q, place in zip(motion.phases, places, strict=True) if place is None]
         numbers = iter(range(len(phases), len(phases) + len(new)))
         orders[motion.motion] = tuple(place or (next(numbers), False) for place in places)
-        phases += new
+        phases += [phase.each_end[0] for phase in new]
+    listed = [phase.name for phase in phases]
+    for phase in (phase for order in scene.declared.values() for phase in order):
+        for end in phase.each_end[1:]:
+            if _place(end, phases, scene) is None:
+                phases.append(end)
+                listed.append(phase.name)
     names = numbered([phase.name for phase in phases])
     named = tuple(replace(q, name=name) for q, name in zip(phases, names, strict=True))
     values = {field.name: getattr(scene, field.name) for field in fields(SceneData)}
     whole = SceneData(**(values | {"phases": named, "motions": {}, "guess": ()}))
-    return AllPhases(whole, orders)
+    return AllPhases(whole, orders, tuple(listed))
 
 
 def _index(motion: SceneData, name: str) -> int:
@@ -189,6 +198,8 @@ def _begins_mirrored(every: AllPhases, steps: Sequence[Place], p: int, half: boo
 def _is_declared(every: AllPhases, steps: Sequence[Place], p: int, half: bool) -> bool:
     """Return whether behind phase `p` of an order comes what the demands at its end are for."""
     scene, (q, minus) = every.scene, steps[p]
+    if not every.followers(q):
+        return False
     after, turned = steps[(p + 1) % len(steps)]
     expected, mirrored = every.followers(q)[0]
     if p < len(steps) - 1 or not half or scene.half_period:

@@ -70,10 +70,10 @@ def is_image(one: Phase, other: Phase) -> bool:
         and len(forms) == len(theirs)
         and not (one.memory or other.memory)
         and all(map(same, laws(image), laws(other)))
-        and all(any(_demand_the_same(a, b) for b in theirs) for a in forms)
+        and all(any(same_demand(a, b) for b in theirs) for a in forms)
     )
 
 
-def _demand_the_same(one: Form, other: Form) -> bool:
+def same_demand(one: Form, other: Form) -> bool:
     """Return whether two forms are nonnegative at the same states."""
     return same(one, other) and all(a * b >= 0 for a, b in zip(one, other, strict=True))

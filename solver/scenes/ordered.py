@@ -1,7 +1,7 @@
 """Scenes in orders of phases that are not declared, and the phases that such orders are of.
 
-Each phase ends by its own event.  A phase that may end in two ways is declared twice with
-different events, or has a mirror image that differs in its event.
+Each phase ends by its own event.  A phase that may end in two ways is two phases with different
+events, or has a mirror image that differs in its event.
 """
 
 from collections.abc import Sequence
@@ -50,7 +50,8 @@ class AllPhases(LoadedScene):
 
     def called(self, name: str) -> list[int]:
         """Return the phases that have a name, in any motion; that of its own name first."""
-        found = super().called(name)
+        names = getattr(self.module, "LISTED", ())
+        found = [*super().called(name), *(p for p, q in enumerate(names) if q == name)]
         for motion, order in zip(self.whole.each_motion, self.orders, strict=True):
             for (p, mirrored), phase in zip(order, motion.phases, strict=False):
                 found += [p] if phase == name and not mirrored else []

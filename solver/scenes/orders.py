@@ -111,10 +111,11 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     )
 
 
-def _first_follower(cell: Cell, step: Step) -> Step:
-    """Return the phase that the demands at the end of another one are for."""
-    follower, turned = cell.followers(step.phase)[0]
-    return Step(follower, turned != step.mirrored)
+def _first_follower(cell: Cell, step: Step) -> Step | None:
+    """Return the phase that the demands at the end of another one are for; None without any."""
+    for follower, turned in cell.followers(step.phase):
+        return Step(follower, turned != step.mirrored)
+    return None
 
 
 def _phase_of(cell: Cell, step: Step, demanding: bool) -> Phase:

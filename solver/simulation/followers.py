@@ -11,6 +11,7 @@ from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Form
 from ..scenes.ordered import OrderedScene
+from ..scenes.mirror import same, same_demand
 from ..scenes.orders import Step, pairs
 from .bodies.state import BodyState, on
 from .machine import Machine
@@ -35,7 +36,7 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
 
     Either the equation or the velocity must change there.  And of each demand, the first
     derivative that does not vanish in every state just behind the event must not be a negative
-    constant.
+    constant; nor may the demand be one that falls through zero at the event and goes on to fall.
     """
     before, after = machine.node(one), machine.node(other)
     if not before.changes_velocity and _numbers(before) == _numbers(after):
@@ -47,6 +48,8 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
         if _constant(row, known, in_state.one) != 0.0:
             return False
         known = np.vstack([known, row])
+    if _falls_on(machine, one, other):
+        return False
     for _, form in after.phase.demands:
         row = _row(in_state, form)
         for _ in range(HIGHEST):
@@ -57,6 +60,29 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
                 return False
             row = row @ in_state.generator
     return True
+
+
+def _falls_on(machine: Machine, one: Step, other: Step) -> bool:
+    """Whether two phases have a demand that the event of the first ends, at the same rate."""
+    before, after = machine.node(one), machine.node(other)
+    if before.changes_velocity:
+        return False
+    fallen = [form for _, form in before.phase.demands if same(form, before.phase.event)]
+    for _, form in after.phase.demands:
+        for demand in (demand for demand in fallen if same_demand(demand, form)):
+            values = _motion_of(machine, one, demand), _motion_of(machine, other, form)
+            if all(map(np.any, values)) and np.allclose(*values, rtol=ROUNDING, atol=ROUNDING):
+                return True
+    return False
+
+
+def _motion_of(machine: Machine, step: Step, form: Form) -> Matrix:
+    """Return a form and its rate in a phase, over its size; nothing if they have a memory."""
+    state, memories = machine.in_state(machine.number(step)), len(machine.cell.memory)
+    row = _row(state, form)
+    rows = np.array([row, row @ state.generator]) / np.abs(row).max()
+    by_memory = rows[:, rows.shape[1] - memories :].any()
+    return np.zeros_like(rows) if by_memory else rows
 
 
 def vanishing(machine: Machine, p: int) -> int:

@@ -18,7 +18,7 @@ from ..kernels.start import RoughTimes
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.ordered import of_all_phases, placed
-from ..scenes.orders import Order, declared_order, half_if_mirrored, orders_of_motions
+from ..scenes.orders import Order, declared_order, half_if_mirrored, image, orders_of_motions
 from .machine import Machine
 from .machines import machine_of
 from .nodes import firsts
@@ -94,6 +94,20 @@ class Other:
         times = replace(self.times, durations=tuple(means.tolist()))
         return Other(Order(steps), times, cycles)
 
+    def times_in(self, order: Order, cell: Cell) -> RoughTimes | None:
+        """Return the times from where the motion begins as an order; None if it never does."""
+        steps, durations = self.order.steps, self.times.durations
+        count = len(steps)
+        if self.order.half_period:
+            images = (image(cell, step) for step in steps)
+            steps, durations = (*steps, *filter(None, images)), durations * 2
+        for i in range(len(steps) if order.half_period == self.order.half_period else 0):
+            if (steps[i:] + steps[:i])[:count] == order.steps:
+                angle = self.times.angle + cell.omega * sum(durations[:i])
+                turned = (durations[i:] + durations[:i])[:count]
+                return replace(self.times, durations=turned, angle=angle)
+        return None
+
 
 def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Settled]:
     """Yield the outcomes of simulations of a case, from rest and from each constraint.
@@ -118,8 +132,8 @@ def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
     _, order = placed(case.scene)
     other = settled.other.within(case.cycles) if settled.other else None
     times = settled.times if order == declared_order(base) else None
-    if other is not None and other.order == order:
-        times = other.times
+    if other is not None:
+        times = other.times_in(order, base) or times
     return replace(settled, times=times, other=None)
 
 

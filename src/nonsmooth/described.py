@@ -5,6 +5,7 @@ Its formulas are read as text from its generated module: no SymPy is needed.
 
 import ast
 import inspect
+from collections.abc import Iterable, Iterator
 from functools import cache
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -121,8 +122,8 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
         "name": name,
         "equation": named(equation),
         "held": f"x' = {rows(module, 'held')[p][0]}" if held else None,
-        "ends": named(f"{linear(rows(module, 'events')[p], state)} = 0"),
-        "jump": _jumps(rows(module, "jumps")[p]),
+        "ends": _either(named(f"{linear(q, state)} = 0") for q in _ends(scene, p, "events")),
+        "jump": _either(map(_jumps, _ends(scene, p, "jumps"))),
         "demands": demanded(module.DEMANDS[p], rows(module, "demands")[p]),
         "switch_demands": demanded(
             module.SWITCH_DEMANDS[p], rows(module, "switch_demands")[p]
@@ -139,6 +140,22 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
             "class_of_defaults": f"C{scene.default_classes.get(p, at_start)}",
         },
     }  # fmt: skip
+
+
+def _ends(scene: "LoadedScene", p: int, function: str) -> Iterator[tuple[str, ...]]:
+    """Yield what a function has for each event that may end phase `p` of a scene's module."""
+    yield rows(scene.module, function)[p]
+    every, name = scene.whole.module, scene.module.PHASES[p][0]
+    of_motion = every is not scene.module
+    for q, listed in enumerate(getattr(every, "LISTED", ()) if of_motion else ()):
+        if listed == name != every.PHASES[q][0]:
+            yield rows(every, function)[q]
+
+
+def _either(texts: Iterable[str | None]) -> str | None:
+    """Return texts that differ, joined by "or"; None without any."""
+    different = dict.fromkeys(text or "nothing" for text in texts)
+    return None if different.keys() <= {"nothing"} else " or ".join(different)
 
 
 def _jumps(row: tuple[str, ...]) -> str | None:

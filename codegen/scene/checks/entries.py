@@ -90,9 +90,15 @@ def _check_phase(phase: Phase, of_body: bool) -> None:
     for equation in laws(phase) if of_body else (phase.equation,):
         _check_expression(f"{field}: equation", equation)
     _expect(f"{field}: ends", phase.ends, Event, "an Event")
-    _check_expression(f"{field}: ends", phase.ends.zero)
-    _check_mapping(f"{field}: jump", phase.ends.jump, texts=False)
-    _check_mapping(f"{field}: ends: demand", phase.ends.demands)
+    for other in _several(f"{field}: ends", phase.ends.others):
+        _expect(f"{field}: ends", other, Event, "an Event")
+    if phase.ends.others and any(event.demands for event in phase.ends.each):
+        expected = "those of the phase: one of several events has none of its own"
+        raise SceneError(f"{field}: ends: demand: got demands at a switch, expected {expected}")
+    for event in phase.ends.each:
+        _check_expression(f"{field}: ends", event.zero)
+        _check_mapping(f"{field}: jump", event.jump, texts=False)
+        _check_mapping(f"{field}: ends: demand", event.demands)
     _check_mapping(f"{field}: demand", phase.demands)
     if phase.held is not None:
         _check_expression(f"{field}: held", phase.held)

@@ -29,7 +29,7 @@ def check(scene: SceneData) -> None:
     check_called("name", scene.name)
     if scene.name in COMMANDS:
         raise SceneError(f"name: got {scene.name!r}, that of a command, expected another")
-    if scene.motions:
+    if scene.declared:
         _check_motions(scene)
     else:
         _check_motion(scene)
@@ -48,8 +48,8 @@ def _check_motion(scene: SceneData) -> None:
         check_body(scene, units)
         units |= units_of_contacts(scene.body)
     units |= check_memory(scene, units)
-    for phase in scene.phases:
-        check_phase(phase, scene, units)
+    for end in (end for phase in scene.phases for end in phase.each_end):
+        check_phase(end, scene, units)
     for p, phase in enumerate(scene.phases):
         after, sign = scene.after(p)
         check_neighbours(phase, scene.phases[after], sign)
@@ -63,20 +63,21 @@ def _check_motion(scene: SceneData) -> None:
 
 def _check_motions(scene: SceneData) -> None:
     """Check each motion of a scene by itself, and that their scales agree."""
-    if scene.phases:
+    if scene.phases and scene.motions:
         raise SceneError("motions: got phases beside them, expected only one of both")
     for name in scene.motions:
         check_called("motions", name)
-    if scene.guess and not isinstance(scene.guess, Mapping):
+    if scene.guess and scene.motions and not isinstance(scene.guess, Mapping):
         raise SceneError(
             "guess: got durations, expected a mapping {motion: durations}, as of `motions`"
         )
     for name in scene.guess if isinstance(scene.guess, Mapping) else ():
-        if name not in scene.motions:
-            raise SceneError(f"guess: got {name!r}, expected one of {', '.join(scene.motions)}")
+        if name not in scene.declared:
+            known = ", ".join(scene.declared)
+            raise SceneError(f"guess: got {name!r}, expected one of {known}")
     first_scales: tuple[sp.Expr, ...] = ()
-    for name in scene.motions:
-        with named(f"motion {name}"):
+    for name in scene.declared:
+        with named(f"motion {name}" if scene.motions else ""):
             motion = scene.of_motion(name)
         motion_scales = scales(motion)
         for unit, expected, size in zip(SCALES, first_scales, motion_scales, strict=False):
@@ -156,7 +157,8 @@ def _check_start(scene: SceneData, units: Units) -> None:
 
 def _check_used(scene: SceneData) -> None:
     """Check that every parameter and memory, and the forcing, occurs somewhere."""
-    phases = [phase for motion in scene.each_motion for phase in motion.phases]
+    listed = (scene.phases, *scene.motions.values())
+    phases = [end for phases in listed for phase in phases for end in phase.each_end]
     driven = [e for phase in phases for e in (*laws(phase), phase.ends.zero)]
     driven += [forcing] if scene.body is not None and "forcing" in scene.body.arrays else []
     if scene.frequency is not None and not any(sp.sympify(e).has(forcing) for e in driven):
