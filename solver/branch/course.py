@@ -122,7 +122,7 @@ class Course(Itinerary):
         declared = self.declares(numbers)
         forms: list[Form] = []
         for row in rows:
-            phase = cell.phases[row.phase]
+            phase = self.phase(cell, row.phase)
             if row.kind == BEHIND:
                 mirrored, p = divmod(row.node, len(declared.phases))
                 node = declared.carrying(p)
@@ -131,6 +131,10 @@ class Course(Itinerary):
                 demands = phase.demands if row.kind == WITHIN else phase.switch_demands
                 forms.append(demands[row.number][1])
         return forms
+
+    def phase(self, cell: Cell, p: int) -> Phase:
+        """Return phase p with factors of the memories as the unknowns have them."""
+        return cell.phases[p]
 
     def before(self, cell: Cell, node: Phase, row: Row) -> Form:
         """Return a demand of the phase that could hold the motion behind a switch.

@@ -14,7 +14,7 @@ from ...kernels.family import Family
 from ...kernels.start import RoughTimes
 from ...orbit.exact_orbit import ExactOrbit, from_times
 from ...scenes.case import Case
-from ...scenes.cell import Form
+from ...scenes.cell import Form, Phase
 from .. import walk
 from ..along import SMALL, Along, divided_phases
 from ..course import Course, Row
@@ -150,6 +150,11 @@ class BodyCourse(Course):
         matrices = [parts_of(cell)[row.phase].lawful.rows for row in rows]
         forms = zip(super().forms(numbers, rows, cell), matrices, strict=True)
         return [tuple(map(float, in_order(cell, form @ matrix))) for form, matrix in forms]
+
+    def phase(self, cell: Cell, p: int) -> Phase:
+        """Return phase p with factors of the actual memories, which are part of the state."""
+        phase: Phase = cell.carrying(p)
+        return phase
 
     def before(self, cell: Cell, node: Any, row: Row) -> Form:
         """Return a demand of the phase that could hold the contact behind a switch.
