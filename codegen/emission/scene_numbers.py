@@ -1,7 +1,7 @@
 """A scene as a module of plain Python, for solver and command line without SymPy."""
 
 import io
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 import sympy as sp
@@ -10,7 +10,7 @@ from .. import expansions
 from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
 from ..scene.bodies.body import Body
-from ..scene.data import SceneData
+from ..scene.data import AS_LISTED, SceneData
 from ..scene.orders import all_phases
 from ..scene.smoothness import class_of, classes_of
 from ..scene.units import dimension_of, power_of_time
@@ -124,7 +124,7 @@ def _data(scene: Scene) -> Iterator[str]:
     if scene.declared:
         yield from _data_of_motions(scene)
     else:
-        yield from _data_of_phases(scene)
+        yield from _data_of_phases(scene, [phase.name for phase in scene.phases])
         yield from _data_of_switches(scene)
     yield "#: The expressions in the parameters that must not be negative, in words."
     yield f"REQUIRES = {tuple(scene.requires)!r}"
@@ -148,21 +148,28 @@ def _table(name: str, rows: Iterable[str]) -> Iterator[str]:
 def _data_of_motions(scene: Scene) -> Iterator[str]:
     """Yield the lines of the constants of all phases that occur in several motions."""
     every = all_phases(scene)
-    yield from _data_of_phases(every.scene)
+    yield from _data_of_phases(every.scene, every.listed)
     if every.listed != tuple(phase.name for phase in every.scene.phases):
         yield "#: Their names in the scene: some are ended by another event of a phase."
         yield f"LISTED = {every.listed!r}"
         yield ""
+    if AS_LISTED in scene.declared:
+        yield "#: The phases of which one follows each, where its event says so."
+        yield from _table("TO", (repr(every.to(p)) for p in range(len(every.listed))))
     yield "#: The order of them that each motion declares: index, and whether mirrored."
     yield from _table("ORDERS", (repr(every.orders[name]) for name in scene.declared))
 
 
-def _data_of_phases(scene: SceneData) -> Iterator[str]:
-    """Yield the lines of the constants of phases."""
+def _data_of_phases(scene: SceneData, listed: Sequence[str]) -> Iterator[str]:
+    """Yield the lines of the constants of phases; `listed` are their names in the scene."""
     phases = scene.cell
-    names = [phase.name for phase in phases]
     memory = tuple(
-        (q.symbol.name, names.index(q.at), power_of_time(scene, q), q.what)
+        (
+            q.symbol.name,
+            scene.setting(q) if isinstance(q.at, str) else _all_called(q.at, listed),
+            power_of_time(scene, q),
+            q.what,
+        )
         for q in scene.memory
     )
     yield "#: Name of each phase, and whether a constraint holds its velocity."
@@ -176,6 +183,11 @@ def _data_of_phases(scene: SceneData) -> Iterator[str]:
     yield f"DEMANDS = {tuple(words_of(phase.demands, scene) for phase in phases)!r}"
     yield f"SWITCH_DEMANDS = {tuple(words_of(phase.ends.demands, scene) for phase in phases)!r}"
     yield ""
+
+
+def _all_called(names: Sequence[str], listed: Sequence[str]) -> tuple[int, ...]:
+    """Return the phases that have some names in the scene."""
+    return tuple(p for p, name in enumerate(listed) if name in names)
 
 
 def _data_of_switches(scene: Scene) -> Iterator[str]:

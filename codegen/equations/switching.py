@@ -44,7 +44,7 @@ def at_the_end(notation: Notation, p: int, expression: sp.Expr) -> sp.Expr:
 
 def set_to(notation: Notation, memory: Memory) -> sp.Expr:
     """Return the value that a memory is set to, in the state there."""
-    p = [phase.name for phase in notation.scene.phases].index(memory.at)
+    p = notation.scene.setting(memory)
     return at_state(
         notation, memory.value, notation.at(p), lambda order: notation.start(p, order)
     )

@@ -154,9 +154,8 @@ def period(times: Times) -> Iterator[Condition]:
 
 def memory(scene: Scene, times: Times, start: End) -> Iterator[Condition]:
     """Yield the condition that sets each memory, in the state at the begin of its phase."""
-    names = [phase.name for phase in scene.phases]
     for q in scene.memory:
-        p = names.index(q.at)
+        p = scene.setting(q)
         at = {x: start(p, 0), v: start(p, 1), forcing: times.forcing(times.start(p))}
         value = sp.sympify(q.value).subs(at, simultaneous=True)
         yield Condition(

@@ -1,11 +1,13 @@
 """The types of a scene: symbols, parameters, events, phases, memories, the whole."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Self
 
 import sympy as sp
+
+from .memories import behind, settings
 
 if TYPE_CHECKING:
     from .bodies.body import Body
@@ -63,6 +65,9 @@ class Event:
     demands : mapping of str to Expr
         Expressions that must not be negative at the switch, in the state before it, by words;
         as for a phase.
+    to : str
+        The phase that follows, where demands leave a choice; ``"-slip"`` is the mirror image of
+        ``slip``.
     others : tuple of Event
         Those that may end the phase in its place, each by itself; set by ``one | other``.
     """
@@ -70,6 +75,7 @@ class Event:
     zero: sp.Expr
     jump: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     demands: Mapping[str, sp.Expr] = field(default_factory=dict)
+    to: str = ""
     others: tuple["Event", ...] = ()
 
     def __or__(self, other: "Event") -> "Event":
@@ -131,17 +137,19 @@ class Memory:
     ----------
     symbol : Symbol
         Symbol in the equations, real; its value holds until it is set again.
-    at : str
-        The phase whose begin sets it.
+    at : str or tuple of str
+        The phase whose begin sets it; or the phases in which it holds: it is set where the
+        motion comes to one of them from another phase.
     value : Expr
         The value it is set to, linear in the state there, `x`, `v` (after the switch) and
-        `forcing`; a length over a power of time.
+        `forcing`; a length over a power of time.  If it holds in several phases it may have
+        contact forces, those before the switch, and has no constant.
     what : str
         Description in a few words.
     """
 
     symbol: sp.Symbol
-    at: str
+    at: str | tuple[str, ...]
     value: sp.Expr
     what: str
 
@@ -198,10 +206,13 @@ class SceneData:
     def declared(self) -> Mapping[str, tuple[Phase, ...]]:
         """The orders of phases that it declares, by name; none if there is no other order.
 
-        Phases with several events have further orders than that in which they are listed.
+        Phases with several events have further orders than that in which they are listed, and
+        so have memories that hold in several phases, and events that say what follows.
         """
-        several = not self.motion and any(phase.ends.others for phase in self.phases)
-        return {AS_LISTED: self.phases} if several else self.motions
+        several = any(phase.ends.others or phase.ends.to for phase in self.phases)
+        several = several or any(not isinstance(q.at, str) for q in self.memory)
+        is_listed = several and self.phases and not self.motion
+        return {AS_LISTED: self.phases} if is_listed else self.motions
 
     @property
     def each_motion(self) -> tuple[Self, ...]:
@@ -214,10 +225,30 @@ class SceneData:
         if name not in cached:
             given, phases = self.guess, self.declared[name]
             guess = given.get(name, ()) if isinstance(given, Mapping) else given
+            memory = self.memory
+            if any(not isinstance(q.at, str) for q in memory):
+                names = [phase.name for phase in phases]
+                memory, symbols = settings(memory, names, names, partial(self._set_to, phases))
+                phases = tuple(map(with_values, phases, symbols))
             cached[name] = replace(
-                self, phases=phases, motions={}, motion=name, guess=tuple(guess)
+                self,
+                phases=phases,
+                motions={},
+                motion=name,
+                guess=tuple(guess),
+                memory=memory,
             )
         return cached[name]
+
+    def setting(self, memory: Memory) -> int:
+        """Return the phase that sets a memory; 0 if it holds in several, in no order."""
+        names = [phase.name for phase in self.phases]
+        return names.index(memory.at) if isinstance(memory.at, str) else 0
+
+    def _set_to(self, phases: Sequence[Phase], memory: Memory, p: int) -> sp.Expr:
+        """Return what phase `p` of an order sets a memory to."""
+        own = isinstance(memory.at, str)
+        return memory.value if own else behind(memory, phases, p, self, self.sign)
 
     @cached_property
     def cell(self) -> tuple[Phase, ...]:
@@ -227,9 +258,8 @@ class SceneData:
         that of this cell.
         """
         changes: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in self.phases]
-        names = [phase.name for phase in self.phases]
         for memory in self.memory:
-            for p in range(names.index(memory.at)):
+            for p in range(self.setting(memory)):
                 changes[p][memory.symbol] = self.sign * memory.symbol
         return tuple(map(with_values, self.phases, changes))
 

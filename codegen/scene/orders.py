@@ -7,7 +7,7 @@ mirror image of one, and ``mirrored`` at the end if they are half a period.
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from itertools import pairwise
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import sympy as sp
 
@@ -15,7 +15,10 @@ from ...nearest import at_length, numbered, one_of
 from .bodies.law import contacts_of, laws, velocities
 from .data import Memory, Phase, SceneData, a, forcing, v, with_values, x
 from .error import SceneError
-from .scene import Scene
+from .memories import behind, settings
+
+if TYPE_CHECKING:
+    from .scene import Scene
 
 #: Last word of an order of half a period; and suffix of the name of a mirrored phase.
 MIRRORED, IMAGE = "mirrored", "_m"
@@ -43,6 +46,12 @@ class AllPhases(NamedTuple):
     orders: Mapping[str, tuple[Place, ...]]
     listed: tuple[str, ...]
 
+    def to(self, p: int) -> tuple[Place, ...]:
+        """Return the phases of which one follows phase `p`, if its event says so."""
+        name = self.scene.phases[p].ends.to
+        named = (q for q, listed in enumerate(self.listed) if listed == name.removeprefix("-"))
+        return tuple((q, name.startswith("-")) for q in named)
+
     def followers(self, p: int) -> list[Place]:
         """Return the phases that motions have behind phase `p`, and whether mirrored.
 
@@ -64,7 +73,8 @@ def all_phases(scene: SceneData) -> AllPhases:
     """
     longest, *others = sorted(scene.each_motion, key=lambda each: -len(each.phases))
     phases = [phase.each_end[0] for phase in longest.phases]
-    setters = {q.at: (_index(longest, q.at), False) for q in scene.memory}
+    of_one = (q.at for q in scene.memory if isinstance(q.at, str))
+    setters = {at: (_index(longest, at), False) for at in of_one}
     orders: dict[str, tuple[Place, ...]] = dict.fromkeys(scene.declared, ())
     orders[longest.motion] = tuple((p, False) for p in range(len(phases)))
     for motion in others:
@@ -78,9 +88,12 @@ def all_phases(scene: SceneData) -> AllPhases:
     listed = [phase.name for phase in phases]
     for phase in (phase for order in scene.declared.values() for phase in order):
         for end in phase.each_end[1:]:
-            if _place(end, phases, scene) is None:
+            place = _place(end, phases, scene)
+            if place is None:
                 phases.append(end)
                 listed.append(phase.name)
+            else:
+                _check_to(end, phases[place[0]], place[1])
     names = numbered([phase.name for phase in phases])
     named = tuple(replace(q, name=name) for q, name in zip(phases, names, strict=True))
     values = {field.name: getattr(scene, field.name) for field in fields(SceneData)}
@@ -88,12 +101,23 @@ def all_phases(scene: SceneData) -> AllPhases:
     return AllPhases(whole, orders, tuple(listed))
 
 
+def _check_to(end: Phase, same: Phase, mirrored: bool) -> None:
+    """Check that an event says the same follower as that of the same phase, or its image."""
+    expected = same.ends.to
+    if mirrored and expected:
+        expected = expected[1:] if expected.startswith("-") else f"-{expected}"
+    if end.ends.to != expected:
+        what = f"as another event of the same phase{', mirrored,' if mirrored else ''} says"
+        got = f"got {end.ends.to!r}, expected {expected!r}"
+        raise SceneError(f"phase {end.name}: ends: to: {got}, {what}")
+
+
 def _index(motion: SceneData, name: str) -> int:
     """Return the index of the phase of a motion that has a name."""
     return [phase.name for phase in motion.phases].index(name)
 
 
-def in_order(scene: Scene, phases: str) -> Scene:
+def in_order(scene: "Scene", phases: str) -> "Scene":
     """Return a scene with phases of its motions in another order.
 
     A phase or a memory that occurs again has a number after its name.
@@ -130,13 +154,23 @@ def in_order(scene: Scene, phases: str) -> Scene:
         )
     called = numbered([f"{name}{IMAGE}" if minus else name for name, minus in steps])
     places = [(index[name], minus) for name, minus in steps]
-    memory, substitutions = _settings(every, places, called, half)
+    phases_ = [_mirrored(base.phases[q], base) if m else base.phases[q] for q, m in places]
+
+    def value(memory: Memory, p: int) -> sp.Expr:
+        if not isinstance(memory.at, str):
+            return behind(memory, phases_, p, base, -1 if half else 1)
+        own = sp.sympify(memory.value)
+        return -own.subs(_image(base)) if _begins_mirrored(every, places, p, half) else own
+
+    listed = [every.listed[q] for q, _ in places]
+    memory, substitutions = settings(base.memory, listed, called, value)
     ordered = []
-    for p, (q, minus) in enumerate(places):
-        phase = _mirrored(base.phases[q], base) if minus else base.phases[q]
+    for p, phase in enumerate(phases_):
+        ends = phase.ends
         if not _is_declared(every, places, p, half):
-            phase = replace(phase, ends=replace(phase.ends, demands={}))
-        ordered.append(replace(with_values(phase, substitutions[p]), name=called[p]))
+            ends = replace(ends, demands={})
+        own = replace(phase, name=called[p], ends=ends)
+        ordered.append(with_values(own, substitutions[p]))
     try:
         return replace(
             scene,
@@ -150,34 +184,6 @@ def in_order(scene: Scene, phases: str) -> Scene:
         )
     except SceneError as error:
         raise ValueError(f"phases: got {phases}, which is no order: {error}") from error
-
-
-def _settings(
-    every: AllPhases, steps: Sequence[Place], called: Sequence[str], half: bool
-) -> tuple[tuple[Memory, ...], list[dict[sp.Symbol, sp.Expr]]]:
-    """Return a memory for each phase that sets one, and its symbol in each phase.
-
-    Before the first phase that sets a memory, the last one of the cell holds; its sign is left
-    to `Scene.cell`.
-    """
-    scene = every.scene
-    memories: list[Memory] = []
-    substitutions: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in steps]
-    for memory in scene.memory:
-        places = [p for p, (q, _) in enumerate(steps) if scene.phases[q].name == memory.at]
-        if not places:
-            raise ValueError(f"phases: expected {memory.at} among them: it sets {memory.what}")
-        names = numbered([memory.symbol.name] * len(places))
-        symbols = [sp.Symbol(name, real=True) for name in names]
-        for p in range(len(steps)):
-            latest = sum(place <= p for place in places) - 1
-            substitutions[p][memory.symbol] = symbols[latest]
-        for p, symbol in zip(places, symbols, strict=True):
-            value = sp.sympify(memory.value)
-            mirrored = _begins_mirrored(every, steps, p, half)
-            value = -value.subs(_image(scene)) if mirrored else value
-            memories.append(Memory(symbol, called[p], value, memory.what))
-    return tuple(memories), substitutions
 
 
 def _begins_mirrored(every: AllPhases, steps: Sequence[Place], p: int, half: bool) -> bool:

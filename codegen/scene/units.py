@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from .bodies.body import UNITS, Body
 from .data import STATE_UNITS, Memory, SceneData
 from .error import INSTEAD, SceneError, looks_like_state
 
@@ -142,6 +143,13 @@ def units_of(scene: SceneData) -> dict[sp.Symbol, Dimension]:
     return units | {q.symbol: dimension_of(q.unit) for q in scene.parameters}
 
 
+def units_of_contacts(body: Body) -> dict[sp.Symbol, Dimension]:
+    """Return the units of the symbols of the contacts of a body."""
+    by_contact = (zip(q.symbols, UNITS, strict=True) for q in body.at.values())
+    return {symbol: dimension_of(unit) for pairs in by_contact for symbol, unit in pairs}
+
+
 def power_of_time(scene: SceneData, memory: Memory) -> int:
     """Return p in the unit of a memory, length over time to the power p."""
-    return -int(balance(sp.expand(memory.value), units_of(scene))[2])
+    units = units_of(scene) | ({} if scene.body is None else units_of_contacts(scene.body))
+    return -int(balance(sp.expand(memory.value), units)[2])

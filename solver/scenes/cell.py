@@ -94,6 +94,10 @@ class Phase:
         event = tuple(float(j == 1) for j in range(len(self.event)))
         return replace(self, event=event, rho=1.0, d=0.0, switch_demands=())
 
+    def lawful(self, form: Form) -> Form:
+        """Return a form with the contact forces of a body by the laws of the phase."""
+        return form
+
     def leaps(self, form: Form) -> bool:
         """Return whether the value of a form may jump at the switch that ends the phase."""
         return (self.rho, self.d) != (1.0, 0.0) and form[1] != 0
@@ -132,17 +136,27 @@ class Memory:
     Parameters
     ----------
     phase : int
-        The phase whose begin sets it.
+        The phase whose begin sets it; -1 if it holds in several.
     power : int
         Its unit is a length over a time to this power.
     value : Form
-        The value it is set to, a form in the state after the switch.
+        The value it is set to, a form in the state after the switch; with the contact forces
+        before it.
+    within : tuple of int
+        The phases in which it holds, if they are several: it is set where the motion comes to
+        one of them from another phase.  In an order of phases one of them sets it.
     """
 
     name: str
     phase: int
     power: int
     value: Form
+    within: tuple[int, ...] = ()
+
+    @property
+    def setter(self) -> int | tuple[int, ...]:
+        """The phase that sets it, or those in which it holds."""
+        return self.within or self.phase
 
 
 @dataclass(frozen=True)
@@ -171,6 +185,9 @@ class Cell:
     orders : tuple of tuple
         If the phases are those of several motions: the order in which each has them, by index
         and whether mirrored.  Empty for one motion, whose phases follow in turn.
+    to : tuple of tuple
+        For each phase those of which one follows, by index and whether mirrored, if its event
+        says so.  Empty where a choice that demands leave is decided by the declared orders.
     """
 
     phases: tuple[Phase, ...]
@@ -183,6 +200,7 @@ class Cell:
     classes: tuple[int, ...] = ()
     start: Form = ()
     orders: tuple[tuple[tuple[int, bool], ...], ...] = ()
+    to: tuple[tuple[tuple[int, bool], ...], ...] = ()
 
     def remembering(self, values: Sequence[float]) -> "Cell":
         """Return a cell without a memory, with these values put in."""
@@ -296,10 +314,13 @@ def fields_of_cell(scene: "LoadedScene", numbers: tuple[float, ...]) -> dict[str
         "guess": tuple(map(float, scene.numbers("guess", numbers))),
         "memory": tuple(
             Memory(name, phase, power, form_of(value))
+            if isinstance(phase, int)
+            else Memory(name, -1, power, form_of(value), phase)
             for (name, phase, power, _), value in zip(scene.memory, values, strict=True)
         ),
         "classes": scene.classes,
         "orders": scene.orders,
+        "to": scene.to,
     }
 
 

@@ -179,8 +179,8 @@ class LoadedScene:
         return dict(enumerate(self.module.CLASSES_OF_DEFAULTS))
 
     @property
-    def memory(self) -> tuple[tuple[str, int, int, str], ...]:
-        """Name, phase that sets it, power of 1/time in its unit, and meaning of each memory."""
+    def memory(self) -> tuple[tuple[str, Any, int, str], ...]:
+        """Name, phases that set it, power of 1/time in its unit, and meaning of each memory."""
         return tuple(self.module.MEMORY)
 
     @property
@@ -238,6 +238,11 @@ class LoadedScene:
     def orders(self) -> tuple[tuple[tuple[int, bool], ...], ...]:
         """The order in which each of several motions has all their phases; see `Cell`."""
         return tuple(getattr(self.module, "ORDERS", ()))
+
+    @property
+    def to(self) -> tuple[tuple[tuple[int, bool], ...], ...]:
+        """The phases that events say to follow; see `Cell`."""
+        return tuple(getattr(self.module, "TO", ()))
 
     def called(self, name: str) -> list[int]:
         """Return the phases of its cell that have a name."""

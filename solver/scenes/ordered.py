@@ -14,7 +14,7 @@ from .cell import Cell
 from .classes import HIGHEST, classes
 from .dimensionless import Units
 from .loaded import LoadedScene, UnknownScene
-from .orders import Order, Step, in_cell, is_odd, memory_columns
+from .orders import Order, Step, in_cell, is_odd, memory_columns, settings
 from .parameter_error import ParameterError
 
 #: Last word in the name of an order whose other half is the mirror image.
@@ -166,8 +166,8 @@ class OrderedScene(LoadedScene):
     @property
     def memory(self) -> tuple[tuple[str, int, int, str], ...]:
         """One memory for each switch that sets one, as in `LoadedScene.memory`."""
-        steps = self.order.steps
-        meanings = [q[3] for q in self.base.memory for step in steps if step.phase == q[1]]
+        declared = self.base.memory
+        meanings = [declared[i][3] for i, _ in settings([q[1] for q in declared], self.order)]
         return tuple(
             (q.name, q.phase, q.power, meaning)
             for q, meaning in zip(self._generic_cell.memory, meanings, strict=True)
@@ -176,7 +176,7 @@ class OrderedScene(LoadedScene):
     def remembered(self, values: Sequence[float], p: int) -> tuple[float, ...]:
         """Return the memories of the declared cell on phase `p`, from those of this cell."""
         columns = memory_columns([phase for _, phase, *_ in self.base.memory], self.order, p)
-        return tuple(sign * values[column] for column, sign in columns)
+        return tuple(0.0 if q is None else q[1] * values[q[0]] for q in columns)
 
     @cached_property
     def _generic_cell(self) -> Cell:

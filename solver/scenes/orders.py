@@ -6,7 +6,7 @@ antisymmetric one.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from ...nearest import numbered
 from .cell import Cell, Form, Memory, Phase
@@ -84,15 +84,12 @@ def in_cell(cell: Cell, order: Order) -> Cell:
 
     Each phase of the order that sets a memory has a memory of its own.
     """
-    setters = [memory.phase for memory in cell.memory]
+    setters = [memory.setter for memory in cell.memory]
     slots = [
         (q, tuple(memory_columns(setters, order, p)), after == _first_follower(cell, q))
         for p, (q, after) in enumerate(pairs(cell, order))
     ]
-    memory = [
-        _set_in(p, cell.memory[i], _begins_mirrored(cell, order, p))
-        for i, p in _settings(setters, order)
-    ]
+    memory = [_set_in(cell, order, p, cell.memory[i]) for i, p in settings(setters, order)]
     variants = {
         slot: _with_columns(_phase_of(cell, slot[0], slot[2]), slot[1], len(memory))
         for slot in set(slots)
@@ -107,6 +104,7 @@ def in_cell(cell: Cell, order: Order) -> Cell:
         memory=tuple(replace(q, name=name) for q, name in zip(memory, names, strict=True)),
         classes=(),
         orders=(),
+        to=(),
         start=(),
     )
 
@@ -139,12 +137,19 @@ def _begins_mirrored(cell: Cell, order: Order, p: int) -> bool:
     return before.mirrored != ((p == 0 and order.half_period) != behind[0])
 
 
-def _set_in(p: int, memory: Memory, mirrored: bool) -> Memory:
+def _set_in(cell: Cell, order: Order, p: int, memory: Memory) -> Memory:
     """Return a memory as phase `p` of an order sets it, mirrored or not."""
-    x, v, cos, constant, *factors = memory.value
-    if mirrored:
-        constant = -constant
-    return replace(memory, phase=p, value=(x, v, cos, constant, *factors))
+    if not memory.within:
+        x, v, cos, constant, *factors = memory.value
+        sign = -1 if _begins_mirrored(cell, order, p) else 1
+        return replace(memory, phase=p, value=(x, v, cos, sign * constant, *factors))
+    before = _phase_of(cell, order.steps[p - 1], False)
+    before = mirror(before) if p == 0 and order.half_period else before
+    value = before.lawful(memory.value)
+    if any(value[before.width :]):
+        what = f"{memory.name} is set by a force that depends on a memory"
+        raise UnknownScene(f"phases: {what} where {before.name} ends")
+    return replace(memory, phase=p, within=(), value=value[: before.width])
 
 
 def is_odd(cell: Cell) -> bool:
@@ -159,41 +164,57 @@ def is_odd(cell: Cell) -> bool:
     return None not in [image(cell, Step(p)) for p in range(len(cell.phases))]
 
 
-def _settings(setters: Sequence[int], order: Order) -> list[tuple[int, int]]:
-    """Return pairs ``(i, p)``: phase `p` of an order sets memory `i` of the declared cell.
+#: What sets a memory of the declared cell: see `Memory.setter`.
+Setter: TypeAlias = int | tuple[int, ...]
 
-    `setters` are the phases of the declared cell that set its memories.
+
+def settings(setters: Sequence[Setter], order: Order) -> list[tuple[int, int]]:
+    """Return pairs ``(i, p)``: phase `p` of an order sets memory `i` of the declared cell."""
+    places = range(len(order.steps))
+    return [(i, p) for i, q in enumerate(setters) for p in places if _is_set(q, order, p)]
+
+
+def _is_set(setter: Setter, order: Order, p: int) -> bool:
+    """Return whether phase `p` of an order sets a memory."""
+    phase, before = order.steps[p].phase, order.steps[p - 1].phase
+    if isinstance(setter, int):
+        return phase == setter
+    return phase in setter and before not in setter
+
+
+def memory_columns(
+    setters: Sequence[Setter], order: Order, p: int
+) -> list[tuple[int, int] | None]:
+    """Return index among `settings`, and sign, of each declared memory on phase `p`.
+
+    The latest setting holds; before the first, the last one of the cell before.  None for a
+    memory that holds in no phase of the order.
     """
-    steps = order.steps
-    return [
-        (i, p) for i, q in enumerate(setters) for p, step in enumerate(steps) if step.phase == q
-    ]
-
-
-def memory_columns(setters: Sequence[int], order: Order, p: int) -> list[tuple[int, int]]:
-    """Return index among `_settings`, and sign, of each declared memory on phase `p`.
-
-    The latest setting holds; before the first, the last one of the cell before.
-    """
-    settings, columns = _settings(setters, order), []
-    for i, phase in enumerate(setters):
-        of_memory = [(where, column) for column, (q, where) in enumerate(settings) if q == i]
-        if not of_memory:
-            expected = f"expected phase {phase + 1} of the scene among them"
+    all_settings = settings(setters, order)
+    columns: list[tuple[int, int] | None] = []
+    for i, setter in enumerate(setters):
+        of_memory = [(at, column) for column, (q, at) in enumerate(all_settings) if q == i]
+        if not of_memory and isinstance(setter, int):
+            expected = f"expected phase {setter + 1} of the scene among them"
             raise UnknownScene(f"phases: {expected}: it sets a memory")
-        before = [column for where, column in of_memory if where <= p]
+        if not (of_memory or isinstance(setter, int)) and order.steps[0].phase in setter:
+            what = "phases: none of them sets a memory, which may have any of many values"
+            raise UnknownScene(what)
+        before = [column for at, column in of_memory if at <= p]
         sign = 1 if before or not order.half_period else -1
-        columns.append((before[-1] if before else of_memory[-1][1], sign))
+        latest = before or [column for _, column in of_memory]
+        columns.append((latest[-1], sign) if latest else None)
     return columns
 
 
-def _with_columns(phase: Phase, columns: Sequence[tuple[int, int]], count: int) -> Phase:
+def _with_columns(phase: Phase, columns: Sequence[tuple[int, int] | None], count: int) -> Phase:
     """Return a phase with its factors of declared memories moved to `columns` of `count`."""
 
     def put(factors: Form) -> Form:
         moved = [0.0] * count
-        for factor, (column, sign) in zip(factors, columns, strict=False):
-            moved[column] += sign * factor
+        for factor, place in zip(factors, columns, strict=False):
+            if place is not None:
+                moved[place[0]] += place[1] * factor
         return tuple(moved)
 
     return phase.with_factors(put)

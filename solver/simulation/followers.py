@@ -10,13 +10,13 @@ from ..bodies.part import parts_of
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Form
-from ..scenes.ordered import OrderedScene
 from ..scenes.mirror import same, same_demand
+from ..scenes.ordered import OrderedScene, in_order, placed
 from ..scenes.orders import Step, pairs
 from .bodies.state import BodyState, on
 from .machine import Machine
 from .machines import machine_of
-from .nodes import InState, Node
+from .nodes import InState, Node, said
 from .steps.column import ROW
 from .steps.state import AnyState, State
 
@@ -36,10 +36,13 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
 
     Either the equation or the velocity must change there.  And of each demand, the first
     derivative that does not vanish in every state just behind the event must not be a negative
-    constant; nor may the demand be one that falls through zero at the event and goes on to fall.
+    constant; nor may the demand be one that falls through zero at the event, and falls on.
     """
     before, after = machine.node(one), machine.node(other)
-    if not before.changes_velocity and _numbers(before) == _numbers(after):
+    if not before.changes_velocity and before.law == after.law:
+        return False
+    laws = said(machine.cell, machine.nodes, one)
+    if laws and after.law not in laws:
         return False
     in_state = machine.in_state(machine.number(other))
     known = _known(before, machine.in_state(machine.number(one)))
@@ -149,12 +152,14 @@ def _constant(row: Vector, forms: Matrix, one: int) -> float | None:
 def not_followed(orbit: "Motion") -> tuple[str, ...]:
     """Return in words where a phase of an orbit is followed by another than its order says.
 
-    Empty for the declared order of a scene, whose demands check this.  Any other order is
-    checked by the rules of a simulation.
+    Empty for an order that a scene declares, whose demands check this.  Any other is checked by
+    the rules of a simulation.
     """
     scene = orbit.case.scene
     if not isinstance(scene, OrderedScene):
-        return ()
+        if scene.motion is None or not scene.whole.to:
+            return ()
+        scene = in_order(*placed(scene))
     machine = machine_of(Case(scene.base, orbit.case.values).cell)
     reasons, total = [], np.cumsum(orbit.cell_durations)
     for p, (step, follower) in enumerate(pairs(machine.cell, scene.order)):
@@ -166,10 +171,13 @@ def not_followed(orbit: "Motion") -> tuple[str, ...]:
         if isinstance(end, BodyState):  # on its event without rounding, as in a simulation
             row = machine.rules.kinds[machine.number(step), ROW]
             end = on(machine.rules.forms[[row]], end)
-        after = machine.after(step, end)
-        if after is None or _numbers(after) != _numbers(expected):
-            name = "no phase" if after is None else _name(after)
-            reasons.append(f"where {_name(node)} ends, {name} follows, not {_name(expected)}")
+        after, behind = machine.after(step, end)
+        undecided = machine.undecided(machine.number(step), node.event, behind)
+        if undecided:
+            reasons.append(undecided)
+        elif after is None or after.law != expected.law:
+            name = "no phase" if after is None else after.name
+            reasons.append(f"where {node.name} ends, {name} follows, not {expected.name}")
     return tuple(reasons)
 
 
@@ -185,11 +193,3 @@ def _end_of(orbit: "Motion", p: int, angle: float, memory: tuple[float, ...]) ->
     x, v = (float(orbit.part(p, end, j)[0]) for j in (0, 1))
     place = cell.place(p)  # without rounding, as in a simulation
     return State(x if place is None else place, v, angle, memory=memory)
-
-
-def _numbers(node: Node) -> tuple[object, ...]:
-    return *node.phase.equation, node.phase.speed
-
-
-def _name(node: Node) -> str:
-    return f"{'-' * node.mirrored}{node.phase.name}"

@@ -134,13 +134,36 @@ class Machine:
         states, phases, how = self.family.call(run.__name__, "run", *arguments)
         return states, phases, how
 
-    def after(self, one: Step, end: AnyState) -> Node | None:
-        """Return the phase that follows `one`, whose event ends it in the state `end`."""
+    def after(self, one: Step, end: AnyState) -> tuple[Node | None, AnyState]:
+        """Return what follows `one`, which its event ends in the state `end`, and the state."""
         p = self.number(one)
         end = self.by("begun", p, end)
         behind = self.by("crossed", p, int(self.rules.kinds[p, ROW]), end)
         number = self.by("next_phase", p, self.nodes[p].event, end, behind)
-        return None if number == NONE else self.nodes[number]
+        return None if number == NONE else self.nodes[number], behind
+
+    def undecided(self, p: int, surface: int, behind: AnyState) -> str:
+        """Return in words which phases may follow, where neither demands nor events decide.
+
+        Parameters
+        ----------
+        p, surface : int
+            The phase that ended, and where.
+        behind : State
+            The state behind the switch.
+        """
+        if not self.cell.to or surface == NONE:
+            return ""
+        ended = int(self.rules.endings[p, surface])
+        found: dict[object, Node] = {}
+        for q in self.rules.turns[ended]:
+            if self.by("follows", p, ended, int(q), behind):
+                found.setdefault(self.nodes[q].law, self.nodes[q])
+        names = [node.name for node in found.values()]
+        if len(names) < 2 or next(iter(found.values())).phase.held:
+            return ""
+        may = f"where {self.nodes[p].name} ends, {' or '.join(names)} may follow"
+        return f"{may}: let `to` of its event say which"
 
     def in_state(self, p: int) -> InState:
         """Return what forms act on, by the state ``(x, x', 1, cos, sin, memory)``."""
@@ -197,7 +220,7 @@ class Machine:
             return state
         state = state._replace(memory=tuple(state.memory) or (0.0,) * count)
         for p in range(len(self.nodes)):
-            entered = self.by("entered", p, state)
+            entered = self.by("entered", NONE, p, state)
             for i in range(count):
                 entered = self._in_the_middle(p, entered, i)
             if self.by("admits", p, entered):

@@ -36,6 +36,16 @@ class Node:
         return Step(self.index, self.mirrored)
 
     @property
+    def name(self) -> str:
+        """The name of the phase, with a minus if it is mirrored."""
+        return f"{'-' * self.mirrored}{self.phase.name}"
+
+    @property
+    def law(self) -> tuple[object, ...]:
+        """What determines the motion: phases with the same differ in what ends them."""
+        return *self.phase.equation, self.phase.speed
+
+    @property
     def jumps(self) -> bool:
         """Whether the velocity jumps at its event, whose form does not depend on it."""
         return self.phase.event[1] == 0 and self.changes_velocity
@@ -113,16 +123,32 @@ def followers(cell: Cell, nodes: Sequence[Node]) -> list[list[int]]:
     ]
 
 
-def turns(nodes: Sequence[Node], declared: Sequence[Sequence[int]]) -> list[list[int]]:
+def said(cell: Cell, nodes: Sequence[Node], step: Step) -> list[tuple[object, ...]]:
+    """Return the laws of the phases that the event of a phase says to follow, if it does.
+
+    A phase with the law of its image is either.
+    """
+    to, count = cell.to[step.phase] if cell.to else (), len(cell.phases)
+    return [nodes[q + count * (turned != step.mirrored)].law for q, turned in to]
+
+
+def turns(
+    cell: Cell, nodes: Sequence[Node], declared: Sequence[Sequence[int]]
+) -> list[list[int]]:
     """Return in which turn successors are tried, behind each phase, then behind none.
 
     Held phases with demands come first: constraints hold while they can.  Then come those that
-    are declared to follow.
+    are declared to follow.  Where an event says what follows, other phases do not; `NONE`
+    stands for them.
     """
     phases = range(len(nodes))
     first = [p for p in phases if nodes[p].phase.held and nodes[p].phase.demands]
     orders = [*([*some, *phases] for some in declared), [*phases]]
-    return [list(dict.fromkeys([q for q in order if q in first] + order)) for order in orders]
+    found = [list(dict.fromkeys([q for q in order if q in first] + order)) for order in orders]
+    for p, node in enumerate(nodes):
+        laws = said(cell, nodes, node.step)
+        found[p] = [NONE if laws and nodes[q].law not in laws else q for q in found[p]]
+    return found
 
 
 def walls(nodes: Sequence[Node], declared: Sequence[Sequence[int]]) -> list[int]:

@@ -279,8 +279,13 @@ def _no_order(cell: Cell, segments: tuple[Segment, ...]) -> str:
     for q in segments:
         if q.step is None:
             return f"{q.began.called(called)} ends by a demand there, not by its event"
-    missing = {q.phase for q in cell.memory} - {q.named.phase for q in segments}
-    return next((f"{called[p]}, which sets a memory, is not among them" for p in missing), "")
+    phases = {q.named.phase for q in segments}
+    for memory in cell.memory:
+        if memory.within and phases <= {*memory.within}:
+            return f"none of them sets {memory.name}, which may have any of many values"
+        if not memory.within and memory.phase not in phases:
+            return f"{called[memory.phase]}, which sets a memory, is not among them"
+    return ""
 
 
 def _in_order(cell: Cell, segments: tuple[Segment, ...], cycles: int) -> Other:

@@ -46,10 +46,9 @@ def conditions(scene: Scene, times: Times, seen: Seen) -> Iterator[Condition]:
             title = f"the impulse at {contact.name} where {phase.name} ends"
             name = f"impulse_{contact.name}_{phase.name}"
             yield Condition(name, title, push - sp.expand_mul(dot(row, velocities)))
-    names = [phase.name for phase in scene.phases]
     for q in scene.memory:
         row = contacts.form(q.value, memory=False)
-        at = seen(names.index(q.at), False)[: len(row)]
+        at = seen(scene.setting(q), False)[: len(row)]
         title = f"{q.symbol} is set where {q.at} begins"
         yield Condition(f"memory_{q.symbol}", title, q.symbol - dot(row, at))
     for p, phase in enumerate(scene.cell):

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..bodies.body import UNITS, Body, Entries
+from ..bodies.body import Body, Entries
 from ..data import SceneData
 from ..error import SceneError, named
 from ..units import Dimension, balance, dimension_of, spelled
@@ -18,12 +18,6 @@ ROUNDING = 1e-12
 
 #: Degrees of freedom up to which matrices are factorised as dense arrays.
 DENSE = 2000
-
-
-def units_of_contacts(body: Body) -> dict[sp.Symbol, Dimension]:
-    """Return the units of the symbols of the contacts of a body."""
-    by_contact = (zip(q.symbols, UNITS, strict=True) for q in body.at.values())
-    return {symbol: dimension_of(unit) for pairs in by_contact for symbol, unit in pairs}
 
 
 def check_body(scene: SceneData, units: Units) -> None:

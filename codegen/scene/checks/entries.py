@@ -96,6 +96,7 @@ def _check_phase(phase: Phase, of_body: bool) -> None:
         expected = "those of the phase: one of several events has none of its own"
         raise SceneError(f"{field}: ends: demand: got demands at a switch, expected {expected}")
     for event in phase.ends.each:
+        _expect(f"{field}: ends: to", event.to, str, "the name of a phase")
         _check_expression(f"{field}: ends", event.zero)
         _check_mapping(f"{field}: jump", event.jump, texts=False)
         _check_mapping(f"{field}: ends: demand", event.demands)
@@ -107,7 +108,8 @@ def _check_phase(phase: Phase, of_body: bool) -> None:
 def _check_memory(memory: Memory) -> None:
     _expect("memory: symbol", memory.symbol, sp.Symbol, "a SymPy symbol")
     field = f"memory {memory.symbol}"
-    _expect(f"{field}: at", memory.at, str, "the name of a phase")
+    for name in (memory.at,) if isinstance(memory.at, str) else _several(field, memory.at):
+        _expect(f"{field}: at", name, str, "the name of a phase")
     _expect(f"{field}: what", memory.what, str, "text")
     _check_expression(f"{field}: value", memory.value)
 

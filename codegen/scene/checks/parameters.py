@@ -5,11 +5,12 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
+from ..bodies.law import contacts_of, form
 from ..data import STATE_UNITS, Memory, Parameter, SceneData, forcing, v, x
 from ..error import SceneError, named
-from ..linear import state_row
 from ..units import Dimension, balance, dimension_of, spelled, units_of
 from .names import TAKEN, check_meaning, check_name
+from .phases import fields
 
 
 def check_parameters(parameters: Sequence[Parameter], phases: Sequence[str]) -> None:
@@ -83,6 +84,30 @@ def check_memory(
     return memory_units
 
 
+def check_several(scene: SceneData) -> None:
+    """Check the memories that hold in several phases, before an order sets them.
+
+    A `SceneError` names the field that is wrong.
+    """
+    phases = [phase for order in scene.declared.values() for phase in order]
+    names = list(dict.fromkeys(phase.name for phase in phases))
+    for memory in (q for q in scene.memory if not isinstance(q.at, str)):
+        field, value = f"memory {memory.symbol}", sp.sympify(memory.value)
+        wrong = [name for name in memory.at if name not in names]
+        if wrong or not set(memory.at) < set(names):
+            got = repr(wrong[0]) if wrong else f"{len(memory.at)} phases"
+            expected = f"some of {', '.join(names)}, but not all"
+            raise SceneError(f"{field}: at: got {got}, expected {expected}")
+        constant = value.subs(dict.fromkeys(value.free_symbols - {*scene.symbols}, 0))
+        if constant != 0:
+            raise SceneError(f"{field}: value: got the constant {constant}, expected none")
+        for phase in (phase for phase in phases if phase.name not in memory.at):
+            expressions = (sp.sympify(q) for end in phase.each_end for _, q in fields(end))
+            if any(q.has(memory.symbol) for q in expressions):
+                expected = f"expected it in {', '.join(memory.at)} alone"
+                raise SceneError(f"phase {phase.name}: got {memory.symbol}, {expected}")
+
+
 def _check_remembered(
     field: str, memory: Memory, scene: SceneData, taken: set[sp.Symbol]
 ) -> None:
@@ -99,15 +124,16 @@ def _unit_of(
     memory: Memory, scene: SceneData, units: Mapping[sp.Symbol, Dimension]
 ) -> Dimension:
     value = sp.sympify(memory.value)
-    allowed = {x, v, forcing, *(q.symbol for q in scene.parameters)}
+    states = {q for contact in contacts_of(scene) for q in (contact.x, contact.v)} or {x, v}
+    allowed = {*states, forcing, *(q.symbol for q in scene.parameters)}
     if value.free_symbols & ({*units} - allowed):
         raise SceneError(f"got {value}, expected x, v, forcing and parameters")
     if value.has(forcing) and scene.frequency is None:
         raise SceneError("it has forcing, but the scene has no frequency")
-    if value.free_symbols <= {*units} - {*STATE_UNITS}:
+    if not value.free_symbols & {*states, forcing}:
         raise SceneError(f"{value} depends on neither x, v nor forcing")
     unit = balance(sp.expand(value), units)
-    state_row(value, f"memory {memory.symbol}: value")
+    form(value, scene, f"memory {memory.symbol}: value", memory=False)
     mass, length, time = unit
     if mass != 0 or length != 1 or time > 0 or time.denominator != 1:
         raise SceneError(f"it is in {spelled(unit)}, expected m, m/s, m/s^2, ...")

@@ -4,16 +4,24 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
+from ....nearest import one_of
 from ..bodies.law import laws
 from ..data import STATE_UNITS, SceneData, forcing, v, x
 from ..error import SceneError, named
+from ..orders import all_phases
 from ..scales import scales
 from ..smoothness import switches
-from ..units import balance, dimension_of, spelled, units_of
-from .bodies import check_body, units_of_contacts
+from ..units import balance, dimension_of, spelled, units_of, units_of_contacts
+from .bodies import check_body
 from .entries import check_entries
 from .names import COMMANDS, check_called, check_name
-from .parameters import check_extremes, check_known, check_memory, check_parameters
+from .parameters import (
+    check_extremes,
+    check_known,
+    check_memory,
+    check_parameters,
+    check_several,
+)
 from .phases import Units, check_neighbours, check_phase, check_same_units, fields
 
 #: The scales that a scene may give, and their SI units.
@@ -76,9 +84,10 @@ def _check_motions(scene: SceneData) -> None:
             known = ", ".join(scene.declared)
             raise SceneError(f"guess: got {name!r}, expected one of {known}")
     first_scales: tuple[sp.Expr, ...] = ()
+    check_several(scene)
     for name in scene.declared:
         with named(f"motion {name}" if scene.motions else ""):
-            motion = scene.of_motion(name)
+            motion = _motion(scene, name)
         motion_scales = scales(motion)
         for unit, expected, size in zip(SCALES, first_scales, motion_scales, strict=False):
             if sp.simplify(expected - size) != 0:
@@ -87,6 +96,28 @@ def _check_motions(scene: SceneData) -> None:
                     f"{size} in {name}; give {unit!r}"
                 )
         first_scales = first_scales or motion_scales
+    _check_followers(scene)
+
+
+def _check_followers(scene: SceneData) -> None:
+    """Check that the phases that events say to follow are phases of the scene."""
+    names = all_phases(scene).listed
+    for phase in (phase for order in scene.declared.values() for phase in order):
+        for to in (event.to for event in phase.ends.each if event.to):
+            plain = to.removeprefix("-")
+            if plain not in names or (plain != to and not scene.half_period):
+                expected = f"got {to!r}, expected {one_of(plain, dict.fromkeys(names))}"
+                raise SceneError(f"phase {phase.name}: ends: to: {expected}")
+
+
+def _motion(scene: SceneData, name: str) -> SceneData:
+    """Return one of the motions of a scene; a `SceneError` if it cannot be one."""
+    try:
+        return scene.of_motion(name)
+    except SceneError:
+        raise
+    except ValueError as error:  # its memories
+        raise SceneError(str(error)) from None
 
 
 def _check_phases(scene: SceneData) -> None:

@@ -73,6 +73,15 @@ class BodyPhase(Phase):
         """Return the phase cut where the velocity vanishes: event ``x' = 0``, no jumps."""
         return replace(super().cut(), jumps=((1.0, 0.0),) * len(self.laws))
 
+    def lawful(self, form: Form) -> Form:
+        """Return a form with the contact forces by the laws of the phase, then memories."""
+        laws, force = np.array(self.laws), places(len(self.laws))[2]
+        row = np.append(form, np.zeros(laws.shape[1] - len(form)))
+        if row[force].any():
+            row -= row[force] @ np.linalg.solve(laws[:, force], laws)
+            row[force] = 0.0
+        return tuple(map(float, row))
+
     def leaps(self, form: Form) -> bool:
         """Return whether the value of a form may jump at the switch that ends the phase.
 

@@ -133,18 +133,16 @@ def copied(values: Values) -> Vector:
     return copy
 
 
-def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
-    """Return a state with the memory that the start of a phase sets."""
-    if not sets(rules, p):
+def entered(rules: Rules, before: int, p: int, state: BodyState) -> BodyState:
+    """Return a state with the memory that the start of a phase sets; see `sets`."""
+    if not sets(rules, before, p):
         return state
     Y, values = full_of(state), copied(state.memory)
     for i in range(len(values)):
-        if rules.setting[i] == rules.kinds[p, column.INDEX]:
-            total = 0.0
-            for j in range(rules.memory.shape[1]):
-                sign = float(rules.kinds[p, column.SIGN]) if j == 3 else 1.0
-                variable = value_of(rules.phases.laws.variables[j], Y)
-                total += sign * float(rules.memory[i, j]) * variable
+        if rules.setting[before, p, i] != 0:
+            total, form = 0.0, rules.memory[before, p, i]
+            for j in range(len(form)):
+                total += float(form[j]) * value_of(rules.phases.laws.variables[j], Y)
             values[i] = total
     return BodyState(state.y, state.angle, state.surface, values)
 

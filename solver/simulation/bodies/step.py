@@ -25,7 +25,7 @@ RESOLVED = 4
 
 def width(rules: Rules) -> int:
     """Return how many numbers `strobe` keeps of a state."""
-    return 2 + len(rules.setting) + len(rules.phases.laws.struck)
+    return 2 + int(rules.setting.shape[2]) + len(rules.phases.laws.struck)
 
 
 def watched(rules: Rules, p: int, state: BodyState) -> tuple[Integers, Vector, Indices]:
@@ -97,7 +97,7 @@ def changes(rules: Rules, p: int, row: int, end: BodyState, behind: BodyState) -
     surface = int(rules.surfaces[row])
     if jumps_at(rules, p, surface) != NONE:
         return True
-    memory = entered(rules, p, behind).memory
+    memory = entered(rules, p, p, behind).memory
     for i in range(len(memory)):
         if memory[i] != behind.memory[i]:
             return True
@@ -136,7 +136,7 @@ def rest_of(
     rest = rest_behind(rules, p, behind)
     if rest == NONE:
         return rest, behind
-    start = begun(rules, rest, entered(rules, rest, behind))
+    start = begun(rules, rest, entered(rules, p, rest, behind))
     y = state_at(rules.phases.poles, rules.omega, rest, full_of(start), left)
     return rest, begun(rules, rest, BodyState(y, angle, start.surface, start.memory))
 

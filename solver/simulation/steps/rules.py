@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...arrays import Integers, Matrix
-from ...scenes.cell import Cell, Form
+from ...scenes.cell import Cell, Form, Memory
 from ..nodes import Node, ending, followers, turns, walls
 from .column import NONE
 
@@ -21,11 +21,10 @@ class Rules(NamedTuple):
     phases : ndarray, shape (P, 8 + M)
         For each phase: equation, speed, law, and coefficients of the memory in its force; see
         `column`.  For a body its `Phases` instead.
-    kinds : ndarray of int, shape (P, 8)
+    kinds : ndarray of int, shape (P, 6)
         For each phase: whether it is held; whether its event is none of its demands; if it is a
-        rest at a place, the phase whose jump it follows; its index in the cell; -1 if it is
-        mirrored, else 1.  Then three rows of `forms`: of its event, which its demands follow;
-        the first demand at its switch; and the end of those.
+        rest at a place, the phase whose jump it follows.  Then three rows of `forms`: of its
+        event, which its demands follow; the first demand at its switch; and the end of those.
     forms : ndarray, shape (F, 4 + M)
         Coefficients of ``x, v, cos, 1, memory``.  For a body of ``Y``; see `Phases`.
     surfaces : ndarray of int, shape (F,)
@@ -37,9 +36,12 @@ class Rules(NamedTuple):
         demands at the switch are those of the first.
     turns : ndarray of int, shape (P + 1, P)
         Row p: the order in which successors are tried where the event of phase p has ended it;
-        last row: where another has.  Constraints come first: they hold while they can.
-    setting, memory : ndarray, shape (M,), (M, 4)
-        As in `Arrays`.  For a body the forms are longer.
+        last row: where another has.  Constraints come first: they hold while they can.  `NONE`
+        stands for a phase that cannot follow, as the event says which does.
+    setting : ndarray of int, shape (P + 1, P, M)
+        Whether a phase sets each memory behind another one; last row: behind none.
+    memory : ndarray, shape (P + 1, P, M, 4)
+        The form to whose value it is set.  For a body the forms are longer.
     """
 
     omega: float
@@ -70,9 +72,8 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         surfaces += [NONE] * len(phase.switch_demands)
         own = phase.m, phase.c, phase.k, phase.f, phase.g, phase.speed, phase.rho, phase.d
         numbers.append([*own, *(phase.memory or [0.0] * count)])
-        place = behind[p], node.index, -1 if node.mirrored else 1
         rows = row, at_switch, len(forms)
-        kinds.append([phase.held, node.event not in node.demands, *place, *rows])
+        kinds.append([phase.held, node.event not in node.demands, behind[p], *rows])
     most = max(map(len, declared))
     width = max(4, *(len(form) - count for form in forms))
     return Rules(
@@ -83,7 +84,26 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         np.array(surfaces, dtype=np.int64),
         np.array([[ending(nodes, p, q) for q in range(max(surfaces) + 1)] for p in phases]),
         np.array([[*some, *[NONE] * most][:most] for some in (*declared, ())]),
-        np.array(turns(nodes, declared)),
-        np.array([each.phase for each in cell.memory], dtype=np.int64),
-        np.array([each.value[:width] for each in cell.memory], dtype=float).reshape(-1, width),
+        np.array(turns(cell, nodes, declared)),
+        *_memories(cell.memory, nodes, width),
     )
+
+
+def _memories(
+    memories: Sequence[Memory], nodes: Sequence[Node], width: int
+) -> tuple[Integers, Matrix]:
+    """Return `setting` and `memory` of `Rules`."""
+    count = len(nodes)
+    setting = np.zeros((count + 1, count, len(memories)), dtype=np.int64)
+    forms = np.zeros((*setting.shape, width))
+    for i, each in enumerate(memories):
+        for p, node in enumerate(nodes):
+            if node.index == each.phase:
+                x, v, cos, constant, *others = each.value[:width]
+                setting[:, p, i] = 1
+                forms[:, p, i] = x, v, cos, -constant if node.mirrored else constant, *others
+            for q, before in enumerate(nodes if node.index in each.within else ()):
+                if before.index not in each.within:
+                    setting[q, p, i] = 1
+                    forms[q, p, i] = before.phase.lawful(each.value)[:width]
+    return setting, forms

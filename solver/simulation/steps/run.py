@@ -107,7 +107,7 @@ def run(rules: Rules, state: State, cycles: int) -> tuple[Matrix, Integers, int]
 
 def width(rules: Rules) -> int:
     """Return how many numbers `strobe` keeps of a state."""
-    return 2 + len(rules.setting)
+    return 2 + int(rules.setting.shape[2])
 
 
 def strobe(

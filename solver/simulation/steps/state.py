@@ -91,28 +91,28 @@ def sign_of(rules: Rules, at: Local, row: int, state: State) -> int:
     return sign_after(at, form_of(rules, row, state.memory), is_zero)
 
 
-def sets(rules: Rules, p: int) -> bool:
-    """Whether the start of a phase sets a memory.
+def sets(rules: Rules, before: int, p: int) -> bool:
+    """Whether the start of a phase sets a memory behind another one, or behind `NONE`.
 
-    Such a phase follows only the event before it: elsewhere it would set a wrong value.
+    One that does so behind any follows only the event before it: elsewhere it would set a wrong
+    value.
     """
-    for index in rules.setting:  # noqa: SIM110  (numba has no `any`)
-        if index == rules.kinds[p, column.INDEX]:
+    for is_set in rules.setting[before, p]:  # noqa: SIM110  (numba has no `any`)
+        if is_set != 0:
             return True
     return False
 
 
-def entered(rules: Rules, p: int, state: State) -> State:
-    """Return a state with the memory that the start of a phase sets."""
-    if not sets(rules, p):
+def entered(rules: Rules, before: int, p: int, state: State) -> State:
+    """Return a state with the memory that the start of a phase sets; see `sets`."""
+    if not sets(rules, before, p):
         return state
     values = np.zeros(len(state.memory))
     for i in range(len(values)):
         values[i] = state.memory[i]
-        if rules.setting[i] == rules.kinds[p, column.INDEX]:
-            vx, vv, vc, constant = rules.memory[i]
-            moving = vx * state.x + vv * state.v + vc * cos(state.angle)
-            values[i] = moving + rules.kinds[p, column.SIGN] * constant
+        if rules.setting[before, p, i] != 0:
+            vx, vv, vc, constant = rules.memory[before, p, i]
+            values[i] = vx * state.x + vv * state.v + vc * cos(state.angle) + constant
     return State(state.x, state.v, state.angle, state.surface, state.placed, values)
 
 

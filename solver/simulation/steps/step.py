@@ -74,7 +74,7 @@ def step(rules: Rules, p: int, state: AnyState, clock: Clock, most: float) -> Pa
     after, away = next_phase(rules, p, surface, before, behind), NONE
     if after == NONE:
         return Passed(s, REFUSED, surface, 0.0, NONE, behind, p, behind, clock)
-    state = begun(rules, after, entered(rules, after, behind))
+    state = begun(rules, after, entered(rules, p, after, behind))
     left = jumping(rules, p, surface, after, state)
     if left > 0:
         rest_clock = later(clock, left)
@@ -125,4 +125,4 @@ def rest_of(
     rest = rest_behind(rules, p, stopped)
     if rest == NONE:
         return rest, stopped
-    return rest, begun(rules, rest, entered(rules, rest, stopped))
+    return rest, begun(rules, rest, entered(rules, p, rest, stopped))

@@ -40,21 +40,28 @@ def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyS
     `state` is the state behind the switch.  The first phase that the scene declares to follow
     is skipped if the state `before` the switch violates a demand of the event.
     """
-    ended = NONE if surface == NONE else rules.endings[p, surface]
-    declared = rules.declared[ended]
-    refused = declared[0] if ended != NONE and not may_switch(rules, ended, before) else NONE
+    ended = NONE if surface == NONE else int(rules.endings[p, surface])
+    switches = ended == NONE or may_switch(rules, ended, before)
+    refused = NONE if switches else rules.declared[ended, 0]
     for q in rules.turns[ended]:
-        if q == refused or (sets(rules, q) and not (declared == q).any()):
-            continue
-        if admits(rules, q, entered(rules, q, state)):
+        if q != refused and follows(rules, p, ended, int(q), state):
             return int(q)
     return NONE
+
+
+def follows(rules: Rules, p: int, ended: int, q: int, state: AnyState) -> bool:
+    """Whether phase q takes the state behind phase p, which the event of a phase has ended."""
+    if q == NONE or (sets(rules, NONE, q) and not (rules.declared[ended] == q).any()):
+        return False
+    return admits(rules, q, entered(rules, p, q, state))
 
 
 def rest_behind(rules: Rules, p: int, state: AnyState) -> int:
     """Return the rest at a place that admits a state where jumps died away; `NONE` if none."""
     for q in rules.turns[p]:
-        if rules.kinds[q, column.WALL] != NONE and admits(rules, q, begun(rules, q, state)):
+        if q == NONE or rules.kinds[q, column.WALL] == NONE:
+            continue
+        if admits(rules, q, begun(rules, q, state)):
             return int(q)
     return NONE
 

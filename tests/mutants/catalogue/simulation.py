@@ -13,6 +13,8 @@ SETTLE = "tests/simulation/test_settle.py"
 BODIES = "tests/simulation/test_events_of_bodies.py"
 CLOCK = ("tests/simulation/test_run.py::test_the_clock_loses_no_digit_behind_many_phases",)
 
+JOINTS = "tests/scenes/test_memories_of_several_phases.py"
+
 MUTANTS = (
     Mutant(
         "Newton's method does not start where a motion almost repeats",
@@ -59,8 +61,8 @@ MUTANTS = (
     Mutant(
         "a switch that its event forbids is taken",
         "solver/simulation/steps/switches.py",
-        "if q == refused or (sets(rules, q) and not (declared == q).any()):",
-        "if sets(rules, q) and not (declared == q).any():",
+        "if q != refused and follows(rules, p, ended, int(q), state):",
+        "if follows(rules, p, ended, int(q), state):",
         (f"{SETTLE}::test_a_switch_that_its_event_forbids_is_not_taken",),
     ),
     Mutant(
@@ -158,5 +160,40 @@ MUTANTS = (
         "    return abs(one - two) <= NEAR * max(one, two, 1.0)",
         "    return True",
         ("tests/bodies/test_bodies_that_move_freely.py",),
+    ),
+    Mutant(
+        "a memory is set anew within the phases in which it holds",
+        "solver/scenes/orders.py",
+        "return phase in setter and before not in setter",
+        "return phase in setter",
+        (f"{JOINTS}::test_a_memory_is_not_set_within_the_phases_in_which_it_holds",),
+    ),
+    Mutant(
+        "an event does not say which phase follows",
+        "solver/simulation/nodes.py",
+        "NONE if laws and nodes[q].law not in laws else q for q in found[p]",
+        "q for q in found[p]",
+        (f"{JOINTS}::test_a_simulation_settles_on_the_orbit",),
+    ),
+    Mutant(
+        "of several phases that may follow the first is taken",
+        "solver/simulation/machine.py",
+        "if len(names) < 2 or",
+        "if names or",
+        (f"{JOINTS}::test_what_neither_demands_nor_events_decide_is_no_motion",),
+    ),
+    Mutant(
+        "along a branch a demand has the memory of the next cell",
+        "solver/branch/bodies/course.py",
+        "phase: Phase = cell.carrying(p)",
+        "phase: Phase = cell.phases[p]",
+        (f"{JOINTS}::test_a_branch_goes_from_order_to_order",),
+    ),
+    Mutant(
+        "a demand goes on to fall behind the event at which it falls through zero",
+        "solver/simulation/followers.py",
+        "if before.changes_velocity:\n        return False\n    fallen",
+        "if before:\n        return False\n    fallen",
+        ("tests/scenes/test_several_events.py::test_a_demand_does_not_go_on_to_fall",),
     ),
 )
