@@ -265,7 +265,7 @@ class LoadedScene:
             from .bodies.cell import body_cell  # noqa: PLC0415  (SciPy)
 
             return body_cell(self, numbers, cycles, units)
-        from .cell import cell_of  # noqa: PLC0415  (a list of scenes needs none)
+        from .of_module import cell_of  # noqa: PLC0415  (a list of scenes needs none)
 
         return cell_of(self, numbers, cycles)
 

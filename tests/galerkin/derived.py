@@ -12,9 +12,9 @@ from galerkin.oscillators import SCENES
 from nonsmooth.codegen.emission.scene_numbers import scene_source
 from nonsmooth.codegen.galerkin import GalerkinConditions
 from nonsmooth.solver.kernels import polynomials, series
-from nonsmooth.solver.scenes.cell import cell_of
 from nonsmooth.solver.scenes.loaded import LoadedScene
 from nonsmooth.solver.scenes.methods import about
+from nonsmooth.solver.scenes.of_module import cell_of
 
 REFERENCES = json.loads(Path(__file__).with_name("references.json").read_text("utf-8"))
 

@@ -26,7 +26,7 @@ from nonsmooth.solver.precision.balls import (
 )
 from nonsmooth.solver.precision.refine import PrecisionError, refine
 from nonsmooth.solver.rows import joints
-from nonsmooth.solver.scenes.cell import cell_of
+from nonsmooth.solver.scenes.of_module import cell_of
 from nonsmooth.solver.solve import solve_case
 
 #: Of the references: a shipped scene, its motion, and parameters in decimals, in its order.

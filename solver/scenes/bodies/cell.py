@@ -15,8 +15,9 @@ from ...bodies.modal import Modal, at_frequency, damped, modal
 from ...bodies.poles import poles_of
 from ...bodies.switch import impulses
 from ...bodies.systems import BodyError
-from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
+from ..cell import Cell, Form, Phase
 from ..dimensionless import Units
+from ..of_module import fields_of_cell, fields_of_phases, form_of
 from ..parameter_error import ParameterError
 
 if TYPE_CHECKING:
