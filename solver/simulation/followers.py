@@ -172,12 +172,12 @@ def not_followed(orbit: "Motion") -> tuple[str, ...]:
             row = machine.rules.kinds[machine.number(step), ROW]
             end = on(machine.rules.forms[[row]], end)
         after, behind = machine.after(step, end)
-        undecided = machine.undecided(machine.number(step), node.event, behind)
-        if undecided:
-            reasons.append(undecided)
-        elif after is None or after.law != expected.law:
+        if after is None or after.law != expected.law:
             name = "no phase" if after is None else after.name
-            reasons.append(f"where {node.name} ends, {name} follows, not {expected.name}")
+            words = f"where {node.name} ends, {name} follows, not {expected.name}"
+            number = machine.number(step)
+            undecided = after is None and machine.undecided(number, node.event, behind)
+            reasons.append(undecided or words)
     return tuple(reasons)
 
 

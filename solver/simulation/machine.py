@@ -159,11 +159,9 @@ class Machine:
         for q in self.rules.turns[ended]:
             if self.by("follows", p, ended, int(q), behind):
                 found.setdefault(self.nodes[q].law, self.nodes[q])
-        names = [node.name for node in found.values()]
-        if len(names) < 2 or next(iter(found.values())).phase.held:
-            return ""
-        may = f"where {self.nodes[p].name} ends, {' or '.join(names)} may follow"
-        return f"{may}: let `to` of its event say which"
+        names = " or ".join(node.name for node in found.values())
+        may = f"where {self.nodes[p].name} ends, {names} may follow"
+        return f"{may}: let `to` of its event say which" if len(found) > 1 else ""
 
     def in_state(self, p: int) -> InState:
         """Return what forms act on, by the state ``(x, x', 1, cos, sin, memory)``."""

@@ -68,7 +68,6 @@ def walk(
     end_time = Fraction(until)
     segments: list[Segment] = []
     ahead: list[Passed] = []
-    known: set[tuple[int, int, int]] = set()
     while True:
         p, state = place.phase, place.state
         if not ahead:
@@ -84,17 +83,12 @@ def walk(
         t = place.t + Fraction(s)
         if passed.how == REFUSED:
             when = f"at t = {float(t) * case.units.time:.6g} s"
+            undecided = machine.undecided(p, surface, passed.behind)
             words = (
                 f"no phase of the scene takes the state {when}, where "
                 f"{segments[-1].phase.name} ends; {machine.unmet(passed.behind)}"
             )
-            return segments, place, words, most
-        if (p, surface, passed.phase) not in known:
-            known.add((p, surface, passed.phase))
-            undecided = machine.undecided(p, surface, passed.behind)
-            if undecided:
-                when = f"at t = {float(t) * case.units.time:.6g} s"
-                return segments, place, f"{when}, {undecided}", most
+            return segments, place, f"{when}, {undecided}" if undecided else words, most
         if passed.away != NONE:
             resting = max(min(passed.left, float(end_time - t)), 0.0)
             segments.append(machine.recorded(passed.away, passed.behind, t, resting, NONE))

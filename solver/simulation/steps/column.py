@@ -4,7 +4,7 @@
 M, C, K, F, G, SPEED, RHO, D, MEMORY = range(9)
 
 #: Of `kinds`.
-HELD, WATCHED, WALL, ROW, AT_SWITCH, END = range(6)
+HELD, WATCHED, WALL, LAW, ROW, AT_SWITCH, END = range(7)
 
 #: Number that stands for no phase, or no surface.
 NONE = -1

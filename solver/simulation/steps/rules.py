@@ -21,10 +21,11 @@ class Rules(NamedTuple):
     phases : ndarray, shape (P, 8 + M)
         For each phase: equation, speed, law, and coefficients of the memory in its force; see
         `column`.  For a body its `Phases` instead.
-    kinds : ndarray of int, shape (P, 6)
+    kinds : ndarray of int, shape (P, 7)
         For each phase: whether it is held; whether its event is none of its demands; if it is a
-        rest at a place, the phase whose jump it follows.  Then three rows of `forms`: of its
-        event, which its demands follow; the first demand at its switch; and the end of those.
+        rest at a place, the phase whose jump it follows; the number of its law, if demands and
+        events alone decide what follows.  Then three rows of `forms`: of its event, which its
+        demands follow; the first demand at its switch; and the end of those.
     forms : ndarray, shape (F, 4 + M)
         Coefficients of ``x, v, cos, 1, memory``.  For a body of ``Y``; see `Phases`.
     surfaces : ndarray of int, shape (F,)
@@ -61,6 +62,7 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
     phases, count = range(len(nodes)), len(cell.memory)
     declared = followers(cell, nodes)
     numbers, kinds, behind = [], [], walls(nodes, declared)
+    laws = list(dict.fromkeys(node.law for node in nodes))
     forms: list[Form] = []
     surfaces: list[int] = []
     for p, node in enumerate(nodes):
@@ -72,8 +74,8 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         surfaces += [NONE] * len(phase.switch_demands)
         own = phase.m, phase.c, phase.k, phase.f, phase.g, phase.speed, phase.rho, phase.d
         numbers.append([*own, *(phase.memory or [0.0] * count)])
-        rows = row, at_switch, len(forms)
-        kinds.append([phase.held, node.event not in node.demands, behind[p], *rows])
+        law, rows = laws.index(node.law) if cell.to else NONE, (row, at_switch, len(forms))
+        kinds.append([phase.held, node.event not in node.demands, behind[p], law, *rows])
     most = max(map(len, declared))
     width = max(4, *(len(form) - count for form in forms))
     return Rules(

@@ -38,15 +38,23 @@ def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyS
     """Return the phase that follows phase p, which ended on a surface; `NONE` if none does.
 
     `state` is the state behind the switch.  The first phase that the scene declares to follow
-    is skipped if the state `before` the switch violates a demand of the event.
+    is skipped if the state `before` the switch violates a demand of the event.  Where demands
+    and events alone decide, none follows if phases of two laws could.
     """
     ended = NONE if surface == NONE else int(rules.endings[p, surface])
     switches = ended == NONE or may_switch(rules, ended, before)
     refused = NONE if switches else rules.declared[ended, 0]
+    found = NONE
     for q in rules.turns[ended]:
-        if q != refused and follows(rules, p, ended, int(q), state):
+        if q == refused or not follows(rules, p, ended, int(q), state):
+            continue
+        law = rules.kinds[q, column.LAW]
+        if law == NONE or (found == NONE and rules.kinds[q, column.HELD] != 0):
             return int(q)
-    return NONE
+        if found != NONE and rules.kinds[found, column.LAW] != law:
+            return NONE
+        found = int(q) if found == NONE else found
+    return found
 
 
 def follows(rules: Rules, p: int, ended: int, q: int, state: AnyState) -> bool:

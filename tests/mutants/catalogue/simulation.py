@@ -61,8 +61,8 @@ MUTANTS = (
     Mutant(
         "a switch that its event forbids is taken",
         "solver/simulation/steps/switches.py",
-        "if q != refused and follows(rules, p, ended, int(q), state):",
-        "if follows(rules, p, ended, int(q), state):",
+        "if q == refused or not follows(rules, p, ended, int(q), state):",
+        "if not follows(rules, p, ended, int(q), state):",
         (f"{SETTLE}::test_a_switch_that_its_event_forbids_is_not_taken",),
     ),
     Mutant(
@@ -177,9 +177,9 @@ MUTANTS = (
     ),
     Mutant(
         "of several phases that may follow the first is taken",
-        "solver/simulation/machine.py",
-        "if len(names) < 2 or",
-        "if names or",
+        "solver/simulation/steps/switches.py",
+        "if law == NONE or (found",
+        "if found == NONE or (found",
         (f"{JOINTS}::test_what_neither_demands_nor_events_decide_is_no_motion",),
     ),
     Mutant(
