@@ -6,7 +6,7 @@ rows over ``Y = (y, cos, sin, 1, memory)``.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -84,6 +84,7 @@ class Lawful:
     free: Matrix
 
 
+@cache
 def places(contacts: int) -> tuple[list[int], list[int], list[int], list[int]]:
     """Return the positions of x, v, force and a of each contact in a form.
 

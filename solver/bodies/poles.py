@@ -125,7 +125,7 @@ class Forms:
     constant: Vector
     memory: Matrix
 
-    def some(self, which: list[int]) -> "Forms":
+    def some(self, which: list[int] | slice) -> "Forms":
         """Return some of the forms."""
         return Forms(*(q[which] for q in vars(self).values()))
 

@@ -1,6 +1,6 @@
 """The equations of the force series for a cell: its phases, and the order of the unknowns."""
 
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from ...arrays import Complex, Integers, Matrix, Vector
 from ..laws import added, law_matrix, lawful, places
 from ..part import shifts
-from ..poles import Poles, poles_of
+from ..poles import Forms, Poles, poles_of
 from ..switch import impulses, switch
 from ..systems import BodyError
 
@@ -29,11 +29,10 @@ class Phase:
 
     Attributes
     ----------
-    law : Forms
-        The laws of the contacts, without their parts by the contact forces.
+    laws, event_row : ndarray, shape (c, S + M), (S + M,)
+        The laws of the contacts, and the event at its end with the forces by the laws.
     event, force, seen : Forms
-        The event at its end, the contact forces, the variables of forms; with the forces by
-        the laws.
+        That event, the contact forces, the variables of forms; with the forces by the laws.
     direct : ndarray, shape (c, c)
         The factors of the contact forces in the laws.
     hit : ndarray of int
@@ -43,26 +42,41 @@ class Phase:
     fixing : ndarray, shape (c,)
         The factors of the event at its end that are added to the laws; see `_fixing`.
     degree, pieces : int
-        The degree of the series of a piece, and the number of pieces.
+        The degree of the series of a piece, and the number of pieces: 0 and 1, or by `Layout`
+        where the laws do not give the forces.
     """
 
-    def __init__(self, cell: "BodyCell", poles: Poles, p: int, order: int) -> None:
+    degree, pieces = 0, 1
+
+    def __init__(self, cell: "BodyCell", poles: Poles, p: int) -> None:
         by_contact, memory, phase = added(cell.body), len(cell.memory), cell.phases[p]
-        width, contacts = by_contact.shape
-        rows = law_matrix(phase)
+        self._poles, (self._width, contacts) = poles, by_contact.shape
+        self.laws = law_matrix(phase)
         by_force = np.vstack([by_contact, np.zeros((memory, contacts))])
-        self.direct = rows @ by_force
-        closure: Matrix = np.asarray(np.linalg.solve(self.direct, rows), dtype=float)
-        by_law = np.eye(width + memory) - by_force @ closure
-        self.law, self.force = poles.forms(rows), poles.forms(-closure)
-        self.event = poles.forms(np.array([phase.event]) @ by_law)
-        self.seen = poles.forms(by_law[:width])
+        self.direct = self.laws @ by_force
+        closure = np.linalg.solve(self.direct, self.laws)
+        self._closure: Matrix = np.asarray(closure, dtype=float)
+        self._by_law: Matrix = np.eye(len(by_force)) - by_force @ self._closure
+        self.event_row: Vector = phase.event @ self._by_law
         by_velocity, constant = impulses(cell, p)
         self.hit = np.flatnonzero(np.abs(by_velocity).sum(axis=1) + np.abs(constant))
         self.impulse = np.column_stack([by_velocity, constant])
         self.fixing: Vector = _fixing(cell, poles, p) * np.diag(self.direct)
-        prescribed = not (self.law.poles.any() or self.law.turn.any())
-        self.degree, self.pieces = (0, 1) if prescribed else _pieces(order)
+
+    @cached_property
+    def event(self) -> Forms:
+        """The event at its end."""
+        return self._poles.forms(self.event_row[None])
+
+    @cached_property
+    def force(self) -> Forms:
+        """The contact forces."""
+        return self._poles.forms(-self._closure)
+
+    @cached_property
+    def seen(self) -> Forms:
+        """The variables of forms."""
+        return self._poles.forms(self._by_law[: self._width])
 
 
 class Layout:
@@ -72,6 +86,9 @@ class Layout:
     ----------
     phases : tuple of Phase
     poles : Poles
+    forms : Forms
+        The laws of each phase, without their parts by the contact forces; the event of each;
+        then `velocity` and `setting`.
     velocity, setting : Forms
         The velocity of each contact; the value that each memory is set to.
     pieces, hits : ndarray of int
@@ -83,9 +100,13 @@ class Layout:
 
     def __init__(self, cell: "BodyCell", poles: Poles, order: int) -> None:
         self.poles, contacts = poles, cell.body.at.shape[1]
-        self.phases = tuple(Phase(cell, poles, p, order) for p in range(len(cell.phases)))
+        self.phases = tuple(Phase(cell, poles, p) for p in range(len(cell.phases)))
+        self.forms = poles.forms(self._rows(cell))
+        varies = self.forms.poles.any(axis=1) | (self.forms.turn != 0)
         pieces, at = [], 0
         for p, phase in enumerate(self.phases):
+            if varies[p * contacts : (p + 1) * contacts].any():
+                phase.degree, phase.pieces = _pieces(order)
             for piece in range(1, 1 + phase.pieces):
                 pieces.append((p, at, piece == phase.pieces))
                 at += (phase.degree + 1) * contacts
@@ -94,11 +115,30 @@ class Layout:
         for indices, phase in zip(self.hits, self.phases, strict=True):
             indices[phase.hit] = range(at, at + len(phase.hit))
             at += len(phase.hit)
-        width, count = 2 + 4 * contacts, len(cell.memory)
-        self.first_memory, self.size = at, at + count
-        rows = np.array([memory.value[:width] for memory in cell.memory]).reshape(count, width)
-        self.setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
-        self.velocity = poles.forms(np.eye(width, width + count)[places(contacts)[1]])
+        self.first_memory, self.size = at, at + len(cell.memory)
+
+    def _rows(self, cell: "BodyCell") -> Matrix:
+        """Return the rows of `forms`."""
+        contacts, memories = cell.body.at.shape[1], len(cell.memory)
+        width = 2 + 4 * contacts
+        further = np.zeros((contacts + memories, width + memories))
+        further[range(contacts), places(contacts)[1]] = 1.0
+        for row, memory in zip(further[contacts:], cell.memory, strict=True):
+            row[:width] = memory.value[:width]
+        laws = [phase.laws for phase in self.phases]
+        return np.vstack([*laws, *(phase.event_row for phase in self.phases), further])
+
+    @property
+    def velocity(self) -> Forms:
+        """The velocity of each contact."""
+        first = sum(len(phase.laws) + 1 for phase in self.phases)
+        return self.forms.some(slice(first, first + self.hits.shape[1]))
+
+    @property
+    def setting(self) -> Forms:
+        """The value that each memory is set to."""
+        first = len(self.forms.turn) - self.size + self.first_memory
+        return self.forms.some(slice(first, None))
 
     @property
     def memory(self) -> slice:
@@ -201,21 +241,14 @@ class Setting(NamedTuple):
 def setting(cell: "BodyCell", order: int) -> Setting:
     """Return the equations of a cell at an order as arrays."""
     equations = layout(cell, order)
-    rows = [
-        *(phase.law for phase in equations.phases),
-        *(phase.event for phase in equations.phases),
-        equations.velocity,
-        equations.setting,
-    ]
-    constants = np.concatenate([q.constant for q in rows])
-    memories = np.concatenate([q.memory for q in rows])
+    forms = equations.forms
     width = len(equations.phases) + cell.forced
     return Setting(
         equations.poles.s,
         np.ascontiguousarray(equations.poles.b.T),
-        np.concatenate([q.poles for q in rows]),
-        np.concatenate([q.turn for q in rows]).astype(complex),
-        np.column_stack([constants, memories]).astype(float),
+        forms.poles,
+        forms.turn.astype(complex),
+        np.column_stack([forms.constant, forms.memory]).astype(float),
         np.array([phase.direct for phase in equations.phases], dtype=float),
         np.array([phase.impulse for phase in equations.phases], dtype=float),
         np.array([phase.fixing for phase in equations.phases], dtype=float),
