@@ -71,22 +71,23 @@ def all_phases(scene: SceneData) -> AllPhases:
     Phases are the same, by whatever name, if they have the same law, end and demands.  Demands
     at their switches may differ: they tell what follows.
     """
-    longest, *others = sorted(scene.each_motion, key=lambda each: -len(each.phases))
-    phases = [phase.each_end[0] for phase in longest.phases]
+    declared = scene.declared or {scene.motion: scene.phases}
+    (first, longest), *others = sorted(declared.items(), key=lambda each: -len(each[1]))
+    phases = [phase.each_end[0] for phase in longest]
     of_one = (q.at for q in scene.memory if isinstance(q.at, str))
     setters = {at: (_index(longest, at), False) for at in of_one}
-    orders: dict[str, tuple[Place, ...]] = dict.fromkeys(scene.declared, ())
-    orders[longest.motion] = tuple((p, False) for p in range(len(phases)))
-    for motion in others:
-        places = [_place(phase, phases, scene) for phase in motion.phases]
-        if any(places[_index(motion, name)] != place for name, place in setters.items()):
+    orders: dict[str, tuple[Place, ...]] = dict.fromkeys(declared, ())
+    orders[first] = tuple((p, False) for p in range(len(phases)))
+    for motion, order in others:
+        places = [_place(phase, phases, scene) for phase in order]
+        if any(places[_index(order, name)] != place for name, place in setters.items()):
             continue
-        new = [q for q, place in zip(motion.phases, places, strict=True) if place is None]
+        new = [q for q, place in zip(order, places, strict=True) if place is None]
         numbers = iter(range(len(phases), len(phases) + len(new)))
-        orders[motion.motion] = tuple(place or (next(numbers), False) for place in places)
+        orders[motion] = tuple(place or (next(numbers), False) for place in places)
         phases += [phase.each_end[0] for phase in new]
     listed = [phase.name for phase in phases]
-    for phase in (phase for order in scene.declared.values() for phase in order):
+    for phase in (phase for order in declared.values() for phase in order):
         for end in phase.each_end[1:]:
             place = _place(end, phases, scene)
             if place is None:
@@ -112,9 +113,9 @@ def _check_to(end: Phase, same: Phase, mirrored: bool) -> None:
         raise SceneError(f"phase {end.name}: ends: to: {got}, {what}")
 
 
-def _index(motion: SceneData, name: str) -> int:
-    """Return the index of the phase of a motion that has a name."""
-    return [phase.name for phase in motion.phases].index(name)
+def _index(phases: Sequence[Phase], name: str) -> int:
+    """Return the index of the phase of an order that has a name."""
+    return [phase.name for phase in phases].index(name)
 
 
 def in_order(scene: "Scene", phases: str) -> "Scene":

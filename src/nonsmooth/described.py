@@ -5,7 +5,7 @@ Its formulas are read as text from its generated module: no SymPy is needed.
 
 import ast
 import inspect
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import cache
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -94,8 +94,11 @@ def _phases(scene: "LoadedScene") -> list[dict[str, Any]]:
 
 
 def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
-    """Return phase `p` of the module of a scene."""
-    module, at_start = scene.module, scene.class_at_start[p]
+    """Return phase `p` of the module of a scene; with all its events, if they are several."""
+    module, at_start, ends = scene.module, scene.class_at_start[p], [p]
+    if scene.whole.to and module is not scene.whole.module:  # without what its order sets
+        module = scene.whole.module
+        ends = [q for q, name in enumerate(module.LISTED) if name == module.LISTED[p]]
     frequency = next((q.symbol for q in scene.parameters if q.name == scene.frequency), "Omega")
 
     def named(text: str) -> str:
@@ -122,8 +125,8 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
         "name": name,
         "equation": named(equation),
         "held": f"x' = {rows(module, 'held')[p][0]}" if held else None,
-        "ends": _either(named(f"{linear(q, state)} = 0") for q in _ends(scene, p, "events")),
-        "jump": _either(map(_jumps, _ends(scene, p, "jumps"))),
+        "ends": _either(named(f"{linear(rows(module, 'events')[q], state)} = 0") for q in ends),
+        "jump": _either(_jumps(rows(module, "jumps")[q]) for q in ends),
         "demands": demanded(module.DEMANDS[p], rows(module, "demands")[p]),
         "switch_demands": demanded(
             module.SWITCH_DEMANDS[p], rows(module, "switch_demands")[p]
@@ -133,23 +136,13 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
             for (name, phase, _, what), form in zip(
                 module.MEMORY, rows(module, "memory"), strict=True
             )
-            if phase == p
+            if phase == p or (isinstance(phase, tuple) and p in phase)
         ],
         "begins": {
             "class": f"C{at_start}", "jumps": "x" + "'" * (at_start + 1),
             "class_of_defaults": f"C{scene.default_classes.get(p, at_start)}",
         },
     }  # fmt: skip
-
-
-def _ends(scene: "LoadedScene", p: int, function: str) -> Iterator[tuple[str, ...]]:
-    """Yield what a function has for each event that may end phase `p` of a scene's module."""
-    yield rows(scene.module, function)[p]
-    every, name = scene.whole.module, scene.module.PHASES[p][0]
-    of_motion = every is not scene.module
-    for q, listed in enumerate(getattr(every, "LISTED", ()) if of_motion else ()):
-        if listed == name != every.PHASES[q][0]:
-            yield rows(every, function)[q]
 
 
 def _either(texts: Iterable[str | None]) -> str | None:

@@ -17,6 +17,7 @@ from shown import ROOT
 import nonsmooth as ns
 from nonsmooth.codegen.scene import SceneError, in_order
 from nonsmooth.codegen.scenes import load
+from nonsmooth.described import document
 from nonsmooth.scene import Event
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.no_orbit import NoOrbit
@@ -205,6 +206,21 @@ def test_one_joint_is_that_of_a_memory_of_one_phase() -> None:
         assert other.durations == pytest.approx(one.durations, rel=1e-13)
         sizes = [np.sort(np.abs(q.multipliers)) for q in (one, other)]
         assert sizes[0] == pytest.approx(sizes[1], abs=1e-12)
+
+
+def test_phases_may_be_listed_in_any_order() -> None:
+    """Also in one that sets a memory twice."""
+    stick, low, both, apart, top = FRAME.phases
+    scene = replace(FRAME, name="listed-anew", phases=(stick, low, top, both, apart))
+    assert [str(q.symbol) for q in scene.of_motion("as-listed").memory] == [
+        "w_1",
+        "w_1_2",
+        "w_2",
+    ]
+    orbit, expected = ns.exact(case_of(scene)), ns.exact(joints())
+    assert sorted(orbit.durations) == pytest.approx(sorted(expected.durations), rel=1e-13)
+    (described,) = document(ns.scene(scene))["motions"]
+    assert described["phases"][2]["sets"][0]["expression"] == "x + 1/k_t force"
 
 
 def test_what_neither_demands_nor_events_decide_is_no_motion() -> None:

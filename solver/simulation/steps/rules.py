@@ -99,13 +99,13 @@ def _memories(
     setting = np.zeros((count + 1, count, len(memories)), dtype=np.int64)
     forms = np.zeros((*setting.shape, width))
     for i, each in enumerate(memories):
+        within = [p for p, node in enumerate(nodes) if node.index in each.within]
         for p, node in enumerate(nodes):
             if node.index == each.phase:
                 x, v, cos, constant, *others = each.value[:width]
                 setting[:, p, i] = 1
                 forms[:, p, i] = x, v, cos, -constant if node.mirrored else constant, *others
-            for q, before in enumerate(nodes if node.index in each.within else ()):
-                if before.index not in each.within:
-                    setting[q, p, i] = 1
-                    forms[q, p, i] = before.phase.lawful(each.value)[:width]
+            if within and p not in within:
+                setting[p, within, i] = 1
+                forms[p, within, i] = node.phase.lawful(each.value)[:width]
     return setting, forms
