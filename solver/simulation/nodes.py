@@ -8,6 +8,7 @@ surfaces, the numbers of a state cannot tell them apart.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from ..arrays import Matrix
@@ -40,7 +41,7 @@ class Node:
         """The name of the phase, with a minus if it is mirrored."""
         return f"{'-' * self.mirrored}{self.phase.name}"
 
-    @property
+    @cached_property
     def law(self) -> tuple[object, ...]:
         """What determines the motion: phases with the same differ in what ends them."""
         return *self.phase.equation, self.phase.speed
@@ -92,10 +93,9 @@ class InState(NamedTuple):
 
 
 def ending(nodes: Sequence[Node], p: int, surface: int) -> int:
-    """Return the phase of the same equation whose event is a surface; `NONE` without one."""
+    """Return the phase of the same law whose event is a surface; `NONE` without one."""
     turn = (q for q in (p, *range(len(nodes))) if nodes[q].event == surface)
-    alike = (q for q in turn if nodes[q].phase.equation == nodes[p].phase.equation)
-    return next(alike, NONE)
+    return next((q for q in turn if nodes[q].law == nodes[p].law), NONE)
 
 
 def firsts(cell: Cell, nodes: Sequence[Node]) -> list[Step]:
@@ -108,7 +108,7 @@ def firsts(cell: Cell, nodes: Sequence[Node]) -> list[Step]:
     steps = []
     for node in nodes:
         phase, own = node.phase, node.step if node.index in setters else None
-        law = own, phase.equation, phase.speed, phase.jumps, node.event
+        law = own, node.law, phase.jumps, node.event
         demands = frozenset(form for _, form in phase.demands)
         steps.append(found.setdefault((*law, demands), node.step))
     return steps

@@ -60,7 +60,7 @@ def _goes_on(machine: Machine, one: Segment, two: Segment) -> bool:
     if one.step is None or any(memory.phase == two.index for memory in machine.cell.memory):
         return False
     node = machine.node(one.step)
-    equal = node.phase.equation == machine.node(two.began).phase.equation
+    equal = node.law == machine.node(two.began).law
     return equal and not node.changes_velocity
 
 
@@ -87,7 +87,7 @@ def repeated(
         size = min(1.0, max(max(map(abs, q.state)) for q in tail))
         pairs = zip(done[-2 * length :], done[-3 * length : -length], strict=True)
         if all(_same(one, two, tolerance, size) for one, two in pairs) and (
-            _equation(cell, cut) == _equation(cell, tail[0]) and cut.s <= tail[0].s + NEAR
+            _law(cell, cut) == _law(cell, tail[0]) and cut.s <= tail[0].s + NEAR
         ):
             return tail
     return None
@@ -103,5 +103,5 @@ def _same(one: Segment, two: Segment, near: float, size: float) -> bool:
     )
 
 
-def _equation(cell: Cell, segment: Segment) -> tuple[object, ...]:
-    return machine_of(cell).node(segment.began).phase.equation
+def _law(cell: Cell, segment: Segment) -> tuple[object, ...]:
+    return machine_of(cell).node(segment.began).law

@@ -263,9 +263,8 @@ class AtEvent:
         yield Candidate((*new, rest), False, angle, grows)
 
     def _alike(self, one: Step, other: Step) -> bool:
-        """Whether two phases have the same equation."""
-        first, second = (self.machine.node(step).phase for step in (one, other))
-        return first.equation == second.equation
+        """Whether two phases have the same law."""
+        return self.machine.node(one).law == self.machine.node(other).law
 
     def _may(self, one: Step, other: Step) -> bool:
         return may_follow(self.machine, one, other)
