@@ -1,5 +1,7 @@
 """Mode shapes: against the same combination in many digits, at the ends, at the attachment."""
 
+from functools import cache
+
 import mpmath as mp
 import numpy as np
 import pytest
@@ -14,8 +16,12 @@ from nonsmooth.solver.space.modes import at_order
 LONG = [pytest.param(seed, marks=pytest.mark.long) for seed in range(100, 300)]
 
 
+@cache
 def wave_sum(one: Attached, q: int, x: float, derivative: int = 0) -> mp.mpf:
-    """Return a derivative of ``g_q``, by its Fourier series: polylogarithms of unit numbers."""
+    """Return a derivative of ``g_q``, by its Fourier series: polylogarithms of unit numbers.
+
+    The shapes of one structure are combinations of the same: kept, in the digits of the first.
+    """
     j, a = one.structure.felt, place(one)
     p = 2 * one.structure.m * q - j - derivative
     apart, along = (mp.polylog(p, mp.expjpi(mp.mpf(x) + sign * a)) for sign in (-1, 1))
