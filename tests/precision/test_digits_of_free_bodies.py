@@ -4,6 +4,9 @@ In balls: a particle against its closed form, half a period, whose closing is re
 the whole, whose closing is not, and the force series against the exact equations.
 """
 
+from collections.abc import Iterator
+from functools import cache
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -23,22 +26,27 @@ from nonsmooth.solver.precision.digits import in_balls as equations_in_balls
 from nonsmooth.solver.precision.refine import refine
 
 
-@pytest.fixture(autouse=True)
-def _cache(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+@pytest.fixture(autouse=True, scope="module")
+def _cache(tmp_path_factory) -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        yield
 
 
+@cache
 def particle(half: bool = False):
     """Return a driven mass between two walls."""
     walls = scene("particle", sp.eye(1), [[0]], [1], "walls", forcing=(1,), half=half)
     return walls(gap=0.2, force=0.1)
 
 
+@cache
 def ball(half: bool = False):
     """Return a ball in a slot of a driven mass."""
     return ball_in_a_slot(half)()
 
 
+@cache
 def gears():
     """Return a pair that rattles; bearings couple what no contact sees with what one does."""
     M, C = np.diag([2.0, 2.0]), np.array([[0.35, -0.05], [-0.05, 0.25]])
@@ -46,6 +54,7 @@ def gears():
     return pair(gap=0.05, force=0.4)
 
 
+@cache
 def row():
     """Return some modes of masses in a row, which only its end holds."""
     n = 6
@@ -58,24 +67,36 @@ def row():
     return own(force=0.4, gap=0.1, stiffness=2.0)
 
 
+@cache
+def resonance():
+    """Return two masses, forced at the frequency of their first mode."""
+    return case(np.eye(2), TWO, FIRST)
+
+
 CASES = {
     "particle": particle,
     "ball": ball,
     "gears": gears,
     "row": row,
-    "resonance": lambda: case(np.eye(2), TWO, FIRST),
+    "resonance": resonance,
 }
+
+
+@cache
+def exact(given):
+    """Return the exact orbit of a case, which several tests begin with."""
+    return ns.exact(given)
 
 
 def in_balls(given, method: str, order: int = 0, functions: int | None = None):
     """Return the times of an orbit by the equations of a method in balls."""
-    exact = ns.exact(given)
-    kernel, own = exact_kernel(exact.case.cell), exact.case.cell
-    times = kernel.times(exact.outcome.unknowns)
+    orbit = exact(given)
+    kernel, own = exact_kernel(orbit.case.cell), orbit.case.cell
+    times = kernel.times(orbit.outcome.unknowns)
     if order:
         kernel = registry.kernel(given.scene, method, functions)
-        own = kernel.given(exact.case, order)
-        times = kernel.times(attempt(kernel, exact.case, order, times, functions).unknowns)
+        own = kernel.given(orbit.case, order)
+        times = kernel.times(attempt(kernel, orbit.case, order, times, functions).unknowns)
     found = refine(kernel, own, times, 22, equations_in_balls(given, method))
     assert all(float(q.rad()) < 1e-21 for q in found)
     assert [float(q) for q in found] == pytest.approx(list(times), rel=0, abs=1e-12)
