@@ -1,9 +1,9 @@
 """The types of a scene: symbols, parameters, events, phases, memories, the whole."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, Self
+from functools import cached_property, partial, wraps
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import sympy as sp
 
@@ -262,6 +262,23 @@ class SceneData:
             for p in range(self.setting(memory)):
                 changes[p][memory.symbol] = self.sign * memory.symbol
         return tuple(map(with_values, self.phases, changes))
+
+
+# A function of a scene.
+OfScene = TypeVar("OfScene", bound=Callable[..., Any])
+
+
+def once(function: OfScene) -> OfScene:
+    """Return a function of a scene that is evaluated once for each scene."""
+
+    @wraps(function)
+    def kept(scene: SceneData) -> Any:
+        found: dict[str, Any] = scene.__dict__.setdefault("_found", {})
+        if function.__name__ not in found:
+            found[function.__name__] = function(scene)
+        return found[function.__name__]
+
+    return kept  # type: ignore[return-value]
 
 
 def with_values(phase: Phase, values: Mapping[sp.Symbol, sp.Expr]) -> Phase:

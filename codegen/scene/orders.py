@@ -13,7 +13,7 @@ import sympy as sp
 
 from ...nearest import at_length, numbered, one_of
 from .bodies.law import contacts_of, laws, velocities
-from .data import Memory, Phase, SceneData, a, forcing, v, with_values, x
+from .data import Memory, Phase, SceneData, a, forcing, once, v, with_values, x
 from .error import SceneError
 from .memories import behind, settings
 
@@ -65,6 +65,7 @@ class AllPhases(NamedTuple):
         return found
 
 
+@once
 def all_phases(scene: SceneData) -> AllPhases:
     """Return the phases of all motions of a scene.
 

@@ -4,11 +4,12 @@ import sympy as sp
 
 from .bodies.body import Body
 from .bodies.law import body_of
-from .data import SceneData
+from .data import SceneData, once
 from .error import SceneError
 from .linear import linear_phase
 
 
+@once
 def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """Return the units of mass, time and length, in the parameters and SI numbers.
 

@@ -15,7 +15,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from .bodies.law import contact_class
-from .data import Phase, SceneData, v, x
+from .data import Phase, SceneData, once, v, x
 from .error import SceneError
 from .linear import fixed, linear_phase, state_row
 
@@ -50,6 +50,7 @@ class Switch:
         return "x" + "'" * self.jumps
 
 
+@once
 def switches(scene: SceneData) -> tuple[Switch, ...]:
     """Return the switches of a cell, that at the begin of the first phase first.
 

@@ -111,7 +111,8 @@ def test_a_document_has_the_fixed_keys_and_the_numbers_of_the_solver(run) -> Non
 def test_a_parameter_that_varies_is_told_by_its_range(
     run, monkeypatch, command: str, more: str
 ) -> None:
-    monkeypatch.setattr("nonsmooth.cli.scenes.branch.pool", nullcontext)  # here alone is quicker
+    # here alone is quicker
+    monkeypatch.setattr("nonsmooth.cli.scenes.branch.pool", nullcontext)
     _, out, _ = run(command, "impact", *f"--vary gap=0.2:0.3{more}".split())
     assert "g = 0.2 to 0.3 m\n" in out
     assert "g = 0.1 m" not in out
