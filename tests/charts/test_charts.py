@@ -41,6 +41,13 @@ def gap_at(kind: str, w: np.ndarray) -> np.ndarray:
     }[kind]
 
 
+@pytest.fixture
+def few_lines(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Look for orbits on the edges of a map alone, and on these at their ends."""
+    monkeypatch.setattr(charts, "LINES", 2)
+    monkeypatch.setattr(lines, "VALUES", 2)
+
+
 def test_a_curve_is_found_once_though_many_lines_cross_it() -> None:
     """Where it ends on the border of the map an event is its last point."""
     case = ns.scene("impact")(damping=0.05, gap=0.5)
@@ -48,9 +55,8 @@ def test_a_curve_is_found_once_though_many_lines_cross_it() -> None:
     assert sorted(curve.kind for curve in found) == ["flip", "fold", "grazing"]
 
 
-def test_a_flip_goes_on_where_two_multipliers_are_minus_one(monkeypatch) -> None:
+def test_a_flip_goes_on_where_two_multipliers_are_minus_one(few_lines) -> None:
     """A torus bifurcation begins there: on the flip, which ends at the range on both sides."""
-    monkeypatch.setattr(lines, "VALUES", 2)
     axes = {"frequency": (0.691, 0.6914, 2), "restitution": (0.77, 0.79, 2)}
     flip, torus = ns.chart(ns.scene("chain-impact")(), axes).curves
     assert (flip.kind, torus.kind) == ("flip", "torus")
@@ -71,14 +77,14 @@ def test_monitors_are_differentiated_within_the_shortest_phase(monkeypatch, dura
     assert slope == pytest.approx(0.5 / duration**0.5, rel=1e-4)
 
 
-def test_orbits_that_change_much_between_points_are_followed() -> None:
+def test_orbits_that_change_much_between_points_are_followed(few_lines) -> None:
     """A mass with dry friction that hardly moves: its stops become shorter like a root."""
     friction = ns.scene("dry-friction")(damping=0.02)
     chart = ns.chart(friction, {"force": (0.33, 0.45, 5), "frequency": (0.4, 0.9, 7)})
     assert {name for row in chart.motion for name in row} == {"two-stops", "sliding"}
 
 
-def test_where_nothing_is_touched_the_motion_has_no_switches() -> None:
+def test_where_nothing_is_touched_the_motion_has_no_switches(few_lines) -> None:
     far = ns.scene("clearance")(force=0.05)
     chart = ns.chart(far, {"frequency": (0.3, 3, 4), "gap": (10, 30, 3)})
     assert {name for row in chart.motion for name in row} == {"only separated"}
@@ -273,12 +279,10 @@ def test_axes_that_cannot_be(axes, words: str) -> None:
 
 
 def test_ranges_over_which_series_do_not_converge_are_refused(
-    run, tmp_path, monkeypatch
+    run, tmp_path, monkeypatch, few_lines
 ) -> None:
     """A kick changes the velocity by I/m: over a decade that is a series of many terms."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(charts, "LINES", 2)
-    monkeypatch.setattr(lines, "VALUES", 2)
     clock = str(ROOT / "examples/scenes/escapement.py")
     wide = ("--vary", "mass=0.01:5:2", "--vary", "kick=0.1:0.2:2")
     status, out, err = run("map", clock, *wide)
@@ -306,7 +310,7 @@ def test_ctrl_c_keeps_the_rows_that_are_done(found: ns.Chart, monkeypatch) -> No
     assert (part.index[rows:] == -1).all()
 
 
-def test_orbits_that_are_symmetric_on_an_edge_alone() -> None:
+def test_orbits_that_are_symmetric_on_an_edge_alone(few_lines) -> None:
     """Of half a period they are motions nowhere else, so that the whole ones are followed."""
     stops = ns.scene(ROOT / "examples/scenes/unequal_stops.py")
     branch = ns.branch(stops(left=0.9), "left", 0.9, 1.0)
@@ -315,8 +319,9 @@ def test_orbits_that_are_symmetric_on_an_edge_alone() -> None:
     assert {name for row in chart.motion for name in row} == {"back,forth"}
 
 
-def test_symmetric_orbits_have_one_name_all_over_a_map() -> None:
+def test_symmetric_orbits_have_one_name_all_over_a_map(monkeypatch) -> None:
     """Also where the declared order, of a whole period, is found as well."""
+    monkeypatch.setattr(charts, "LINES", 2)
     stops = ns.scene(ROOT / "examples/scenes/unequal_stops.py")
     chart = ns.chart(stops(left=0.9), {"frequency": (1.0, 1.8, 5), "force": (0.7, 1.8, 4)})
     for force, names in zip(chart.values[1], chart.motion, strict=True):
