@@ -10,7 +10,7 @@ from .. import expansions
 from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
 from ..scene.bodies.body import Body
-from ..scene.data import AS_LISTED, SceneData
+from ..scene.data import SceneData
 from ..scene.orders import all_phases
 from ..scene.smoothness import class_of, classes_of
 from ..scene.units import dimension_of, power_of_time
@@ -153,7 +153,7 @@ def _data_of_motions(scene: Scene) -> Iterator[str]:
         yield "#: Their names in the scene: some are ended by another event of a phase."
         yield f"LISTED = {every.listed!r}"
         yield ""
-    if AS_LISTED in scene.declared:
+    if scene.is_open:
         yield "#: The phases of which one follows each, where its event says so."
         yield from _table("TO", (repr(every.to(p)) for p in range(len(every.listed))))
     yield "#: The order of them that each motion declares: index, and whether mirrored."

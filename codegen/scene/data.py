@@ -204,15 +204,21 @@ class SceneData:
 
     @property
     def declared(self) -> Mapping[str, tuple[Phase, ...]]:
-        """The orders of phases that it declares, by name; none if there is no other order.
-
-        Phases with several events have further orders than that in which they are listed, and
-        so have memories that hold in several phases, and events that say what follows.
-        """
-        several = any(phase.ends.others or phase.ends.to for phase in self.phases)
-        several = several or any(not isinstance(q.at, str) for q in self.memory)
-        is_listed = several and self.phases and not self.motion
+        """The orders of phases that it declares, by name; none if there is no other order."""
+        is_listed = self.is_open and self.phases and not self.motion
         return {AS_LISTED: self.phases} if is_listed else self.motions
+
+    @property
+    def is_open(self) -> bool:
+        """Whether demands and events alone decide which phase follows, not declared orders.
+
+        So it is if a phase has several events, or one that says what follows, or if a memory
+        holds in several phases.
+        """
+        phases = (self.phases, *self.motions.values())
+        ends = [phase.ends for order in phases for phase in order]
+        several = any(event.others or event.to for event in ends)
+        return several or any(not isinstance(q.at, str) for q in self.memory)
 
     @property
     def each_motion(self) -> tuple[Self, ...]:

@@ -96,9 +96,13 @@ def _phases(scene: "LoadedScene") -> list[dict[str, Any]]:
 def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
     """Return phase `p` of the module of a scene; with all its events, if they are several."""
     module, at_start, ends = scene.module, scene.class_at_start[p], [p]
-    if scene.whole.to and module is not scene.whole.module:  # without what its order sets
-        module = scene.whole.module
-        ends = [q for q, name in enumerate(module.LISTED) if name == module.LISTED[p]]
+    whole = scene.whole
+    if whole.to and module is not whole.module:  # as it is written, whatever its order sets
+        q, mirrored = whole.orders[whole.motions.index(str(scene.motion))][p]
+        if not mirrored:
+            module, p = whole.module, q
+            names = getattr(module, "LISTED", [name for name, _ in module.PHASES])
+            ends = [i for i, name in enumerate(names) if name == names[p]]
     frequency = next((q.symbol for q in scene.parameters if q.name == scene.frequency), "Omega")
 
     def named(text: str) -> str:

@@ -223,6 +223,19 @@ def test_phases_may_be_listed_in_any_order() -> None:
     assert described["phases"][2]["sets"][0]["expression"] == "x + 1/k_t force"
 
 
+def test_orders_may_be_declared_as_motions() -> None:
+    """Events say what follows there, too, and demands alone decide nothing more."""
+    stick, low, both, _, top = FRAME.phases
+    motions = {"in-turn": FRAME.phases, "round": (stick, low, both, top)}
+    scene = replace(FRAME, name="declared", phases=(), motions=motions)
+    orbit, expected = ns.exact(case_of(scene)), ns.exact(joints())
+    assert orbit.case.scene.motion == expected.case.scene.motion
+    assert orbit.durations == pytest.approx(expected.durations, rel=1e-13)
+    texts = [motion["phases"][0]["ends"] for motion in document(ns.scene(scene))["motions"]]
+    assert texts[0] == texts[1]
+    assert texts[0].count(" or ") == 1  # the other two are of the mirror image
+
+
 def test_what_neither_demands_nor_events_decide_is_no_motion() -> None:
     """Where the upper slider gives way, the lower one may hold or not, for all demands say."""
     phases = tuple(
