@@ -18,7 +18,7 @@ import nonsmooth as ns
 from nonsmooth.codegen.scene import SceneError, in_order
 from nonsmooth.codegen.scenes import load
 from nonsmooth.described import document
-from nonsmooth.scene import Event
+from nonsmooth.scene import Event, Memory
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.no_orbit import NoOrbit
 
@@ -223,6 +223,21 @@ def test_phases_may_be_listed_in_any_order() -> None:
     assert described["phases"][2]["sets"][0]["expression"] == "x + 1/k_t force"
 
 
+def test_a_held_contact_has_no_force_by_which_a_memory_is_set() -> None:
+    held = load("absorber-friction")
+    _, stop = held.phases
+    (contact,) = held.body.at.values()
+    symbol = sp.Symbol("w", real=True)
+    f_R = sp.Symbol("f_R", positive=True)
+    value = contact.x * f_R + contact.force
+    memory = Memory(symbol, (held.phases[0].name,), value, "what it was")
+    assert stop.held is not None
+    with pytest.raises(
+        SceneError, match=r"got a force, but in .* it is not known: the contact is h"
+    ):
+        replace(held, memory=(memory,))
+
+
 def test_orders_may_be_declared_as_motions() -> None:
     """Events say what follows there, too, and demands alone decide nothing more."""
     stick, low, both, _, top = FRAME.phases
@@ -276,6 +291,12 @@ def test_what_such_a_scene_may_not_be() -> None:
     for words, memory in wrong.items():
         with pytest.raises(SceneError, match=words):
             replace(FRAME, memory=(memory, second))
+    with pytest.raises(
+        SceneError, match=r"at: got 'top', which ends in several ways, exp.*'top',"
+    ):
+        replace(FRAME, memory=(replace(first, at="top"), second))
+    with pytest.raises(SceneError, match="body: got 3, expected a Body"):
+        replace(FRAME, body=3)
     nowhere = replace(low, ends=_or(*(replace(q, to="nowhere") for q in low.ends.each)))
     with pytest.raises(
         SceneError, match="phase low: ends: to: got 'nowhere', expected one of st"

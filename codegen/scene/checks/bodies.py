@@ -7,6 +7,7 @@ import numpy as np
 import sympy as sp
 
 from ..bodies.body import Body, Entries
+from ..bodies.law import body_of
 from ..data import SceneData
 from ..error import SceneError, named
 from ..units import Dimension, balance, dimension_of, spelled
@@ -25,9 +26,7 @@ def check_body(scene: SceneData, units: Units) -> None:
 
     A `SceneError` names the matrix that is wrong, and how.
     """
-    body = scene.body
-    if not isinstance(body, Body):
-        raise SceneError(f"body: got {body!r:.60}, expected a Body")
+    body = body_of(scene)
     defaults = {q.symbol: q.default for q in scene.parameters}
     with named("body"):
         check_known(body.symbols, defaults)

@@ -2,11 +2,13 @@
 
 from collections.abc import Iterator, Mapping
 from itertools import chain
+from types import UnionType
 from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from ..bodies.body import Body
 from ..bodies.law import laws
 from ..data import Event, Memory, Parameter, Phase, SceneData
 from ..error import INSTEAD, SceneError, named
@@ -21,6 +23,7 @@ def check_entries(scene: SceneData) -> None:
         _expect(name, getattr(scene, name), str, "text")
     if any(mark in scene.title for mark in ('"""', "\\", "\n")):
         raise SceneError(f'title: got {scene.title!r}, expected one line without \\ and """')
+    _expect("body", scene.body, Body | None, "a Body")
     _expect("half_period", scene.half_period, bool, "True or False")
     sequences: list[tuple[str, Any, type]] = [
         ("parameters", scene.parameters, Parameter),
@@ -51,7 +54,7 @@ def check_entries(scene: SceneData) -> None:
             _check_expression("guess", duration)
 
 
-def _expect(field: str, value: object, kind: type, words: str) -> None:
+def _expect(field: str, value: object, kind: type | UnionType, words: str) -> None:
     if not isinstance(value, kind):
         raise SceneError(f"{field}: got {_shown(value)}, expected {words}")
 

@@ -91,8 +91,15 @@ def check_several(scene: SceneData) -> None:
     """
     phases = [phase for order in scene.declared.values() for phase in order]
     names = list(dict.fromkeys(phase.name for phase in phases))
-    for memory in (q for q in scene.memory if not isinstance(q.at, str)):
+    several = {phase.name for phase in phases if phase.ends.others}
+    forces = [contact.force for contact in contacts_of(scene)]
+    for memory in scene.memory:
         field, value = f"memory {memory.symbol}", sp.sympify(memory.value)
+        if isinstance(memory.at, str):
+            if memory.at in several:
+                got = f"got {memory.at!r}, which ends in several ways"
+                raise SceneError(f"{field}: at: {got}, expected ({memory.at!r},)")
+            continue
         wrong = [name for name in memory.at if name not in names]
         if wrong or not set(memory.at) < set(names):
             got = repr(wrong[0]) if wrong else f"{len(memory.at)} phases"
@@ -102,6 +109,9 @@ def check_several(scene: SceneData) -> None:
         if constant != 0:
             raise SceneError(f"{field}: value: got the constant {constant}, expected none")
         for phase in (phase for phase in phases if phase.name not in memory.at):
+            if phase.held is not None and value.has(*forces):
+                what = f"got a force, but in {phase.name} it is not known: the contact is held"
+                raise SceneError(f"{field}: value: {what}")
             expressions = (sp.sympify(q) for end in phase.each_end for _, q in fields(end))
             if any(q.has(memory.symbol) for q in expressions):
                 expected = f"expected it in {', '.join(memory.at)} alone"
