@@ -119,7 +119,8 @@ class Course(Itinerary):
 
         Here they are as a cell has them; see `before`.
         """
-        declared = self.declares(numbers)
+        any_behind = any(row.kind == BEHIND for row in rows)
+        declared = self.declares(numbers) if any_behind else cell  # else not looked at
         forms: list[Form] = []
         for row in rows:
             phase = self.phase(cell, row.phase)

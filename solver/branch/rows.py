@@ -6,6 +6,7 @@ import numpy as np
 
 from ..results.branch import BranchEvent
 from ..results.family import FamilyRow
+from ..scenes.case import index_of
 from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import of_monodromy
 from .locate import Found
@@ -40,7 +41,8 @@ def row_of(piece: Piece, place: Place, regular: bool = True) -> FamilyRow:
 def _at_phase_zero(piece: Piece, place: Place, turn: float) -> tuple[float, float]:
     """Return displacement and velocity where the phase of the forcing is 0, in SI units."""
     case, durations = piece.equations(place.y), piece.durations(place.y)
-    omega = piece.course.cell(piece.numbers(place.y)).omega
+    forcing = index_of(piece.case, str(piece.case.scene.frequency))
+    omega = piece.numbers(place.y)[forcing]
     t, sign = -turn % (2 * math.pi) / omega, 1
     if piece.cell.sign < 0 and t > durations.sum():
         t, sign = t - float(durations.sum()), -1

@@ -3,7 +3,8 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from functools import cached_property
+from itertools import pairwise, starmap
 from operator import mul
 from typing import Any, Self
 
@@ -69,7 +70,7 @@ class Phase:
             return (*form[:3], constant, *form[4:width])
 
         force = self.f + sum(map(mul, self.memory, values))
-        return replace(self.with_forms(put), f=force, memory=())
+        return self.with_forms(put, f=force, memory=())
 
     @property
     def width(self) -> int:
@@ -110,20 +111,22 @@ class Phase:
             return 0.0 * v
         return (self.f + self.g * cosine - self.c * v - self.k * x) / self.m
 
-    def with_forms(self, put: Callable[[Form], Form]) -> Self:
-        """Return the phase with each form replaced by ``put(form)``."""
+    def with_forms(self, put: Callable[[Form], Form], **others: Any) -> Self:
+        """Return the phase with each form replaced by ``put(form)``, and `others` as given."""
         return replace(
             self,
             event=put(self.event),
             demands=tuple((words, put(form)) for words, form in self.demands),
             switch_demands=tuple((words, put(form)) for words, form in self.switch_demands),
+            **others,
         )
 
     def with_factors(self, put: Callable[[Form], Form]) -> Self:
         """Return the phase with its factors of the memories replaced by ``put(factors)``."""
-        width = self.width
-        phase = self.with_forms(lambda form: (*form[:width], *put(form[width:])))
-        return replace(phase, memory=put(self.memory))
+        if not self.memory:
+            return self
+        width, memory = self.width, put(self.memory)
+        return self.with_forms(lambda form: (*form[:width], *put(form[width:])), memory=memory)
 
 
 @dataclass(frozen=True)
@@ -212,8 +215,15 @@ class Cell:
         Before the switch that sets a memory, its value is that of the cell before: `sign` times
         that of this cell.  The factors in `phases` include this sign; those returned do not.
         """
-        signs = [self.sign if p < each.phase else 1 for each in self.memory]
-        return self.phases[p].with_factors(lambda factors: tuple(map(mul, factors, signs)))
+        return self._carrying[p]
+
+    @cached_property
+    def _carrying(self) -> tuple[Phase, ...]:
+        def carried(p: int, phase: Phase) -> Phase:
+            signs = [self.sign if p < each.phase else 1 for each in self.memory]
+            return phase.with_factors(lambda factors: tuple(map(mul, factors, signs)))
+
+        return self.phases if self.sign > 0 else tuple(starmap(carried, enumerate(self.phases)))
 
     def followers(self, p: int) -> tuple[tuple[int, bool], ...]:
         """Return the phases that the scene declares to follow phase `p`, and whether mirrored.

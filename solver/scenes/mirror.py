@@ -1,7 +1,7 @@
 """Mirror images of phases, and equivalence of forms."""
 
-from dataclasses import replace
 from math import frexp, ldexp
+from typing import Any
 
 from .bodies.cell import BodyPhase
 from .cell import Form, Phase
@@ -12,11 +12,10 @@ ROUNDING = 1e-12
 
 def mirror(phase: Phase) -> Phase:
     """Return the phase of the motion ``-x``, half a period of the forcing later."""
-    image = phase.with_forms(_mirrored)
-    image = replace(image, f=-phase.f, speed=-phase.speed, d=-phase.d)
-    if isinstance(image, BodyPhase):
-        image = replace(image, jumps=tuple((rho, -d) for rho, d in image.jumps))
-    return image
+    turned: dict[str, Any] = {"f": -phase.f, "speed": -phase.speed, "d": -phase.d}
+    if isinstance(phase, BodyPhase):
+        turned["jumps"] = tuple((rho, -d) for rho, d in phase.jumps)
+    return phase.with_forms(_mirrored, **turned)
 
 
 def _mirrored(form: Form) -> Form:
@@ -54,8 +53,8 @@ def same(one: Form, other: Form) -> bool:
     return first != 0
 
 
-def is_image(one: Phase, other: Phase) -> bool:
-    """Return whether two phases without a memory are mirror images of each other."""
+def alike(one: Phase, other: Phase) -> bool:
+    """Return whether two phases without a memory have the same motions."""
 
     def numbers(q: Phase) -> tuple[object, ...]:
         return q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.jumps
@@ -63,13 +62,12 @@ def is_image(one: Phase, other: Phase) -> bool:
     def laws(q: Phase) -> tuple[Form, ...]:
         return (q.event, *q.laws) if isinstance(q, BodyPhase) else (q.event,)
 
-    image = mirror(one)
-    forms, theirs = ([form for _, form in q.demands] for q in (image, other))
+    forms, theirs = ([form for _, form in q.demands] for q in (one, other))
     return (
-        numbers(image) == numbers(other)
+        numbers(one) == numbers(other)
         and len(forms) == len(theirs)
         and not (one.memory or other.memory)
-        and all(map(same, laws(image), laws(other)))
+        and all(map(same, laws(one), laws(other)))
         and all(any(same_demand(a, b) for b in theirs) for a in forms)
     )
 

@@ -167,7 +167,9 @@ class OrderedScene(LoadedScene):
     def memory(self) -> tuple[tuple[str, int, int, str], ...]:
         """One memory for each switch that sets one, as in `LoadedScene.memory`."""
         declared = self.base.memory
-        meanings = [declared[i][3] for i, _ in settings([q[1] for q in declared], self.order)]
+        meanings = [
+            declared[i][3] for i, _ in settings(tuple(q[1] for q in declared), self.order)
+        ]
         return tuple(
             (q.name, q.phase, q.power, meaning)
             for q, meaning in zip(self._generic_cell.memory, meanings, strict=True)
@@ -175,7 +177,8 @@ class OrderedScene(LoadedScene):
 
     def remembered(self, values: Sequence[float], p: int) -> tuple[float, ...]:
         """Return the memories of the declared cell on phase `p`, from those of this cell."""
-        columns = memory_columns([phase for _, phase, *_ in self.base.memory], self.order, p)
+        setters = tuple(setter for _, setter, *_ in self.base.memory)
+        columns = memory_columns(setters, self.order)[p]
         return tuple(0.0 if q is None else q[1] * values[q[0]] for q in columns)
 
     @cached_property

@@ -6,12 +6,13 @@ antisymmetric one.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 from ...nearest import numbered
 from .cell import Cell, Form, Memory, Phase
 from .loaded import UnknownScene
-from .mirror import is_image, mirror
+from .mirror import alike, mirror
 
 
 class Step(NamedTuple):
@@ -40,9 +41,18 @@ def image(cell: Cell, step: Step) -> Step | None:
     """Return the mirror image of a phase of a cell; None if the cell has none."""
     if cell.sign < 0:
         return Step(step.phase, not step.mirrored)
-    phase = cell.phases[step.phase]
-    images = (q for q, candidate in enumerate(cell.phases) if is_image(phase, candidate))
-    return next(map(Step, images), None)
+    return images(cell)[step.phase]
+
+
+@lru_cache(maxsize=8)
+def images(cell: Cell) -> tuple[Step | None, ...]:
+    """Return for each phase of a cell the phase that is its mirror image; None without one."""
+    return tuple(_alike_in(cell, mirror(phase)) for phase in cell.phases)
+
+
+def _alike_in(cell: Cell, phase: Phase) -> Step | None:
+    places = (q for q, candidate in enumerate(cell.phases) if alike(phase, candidate))
+    return next(map(Step, places), None)
 
 
 def pairs(cell: Cell, order: Order) -> list[tuple[Step, Step | None]]:
@@ -84,10 +94,12 @@ def in_cell(cell: Cell, order: Order) -> Cell:
 
     Each phase of the order that sets a memory has a memory of its own.
     """
-    setters = [memory.setter for memory in cell.memory]
+    setters = tuple(memory.setter for memory in cell.memory)
     slots = [
-        (q, tuple(memory_columns(setters, order, p)), after == _first_follower(cell, q))
-        for p, (q, after) in enumerate(pairs(cell, order))
+        (q, columns, after == _first_follower(cell, q))
+        for (q, after), columns in zip(
+            pairs(cell, order), memory_columns(setters, order), strict=True
+        )
     ]
     memory = [_set_in(cell, order, p, cell.memory[i]) for i, p in settings(setters, order)]
     variants = {
@@ -161,17 +173,26 @@ def is_odd(cell: Cell) -> bool:
     >>> [is_odd(registry.load(name)().cell) for name in ("backlash", "clearance")]
     [True, False]
     """
-    return None not in [image(cell, Step(p)) for p in range(len(cell.phases))]
+    return cell.sign < 0 or None not in images(cell)
 
 
 #: What sets a memory of the declared cell: see `Memory.setter`.
 Setter: TypeAlias = int | tuple[int, ...]
 
+#: Where a phase of an order finds a declared memory: index among `settings`, and sign.  None
+#: for a memory that holds in no phase of the order.
+Column: TypeAlias = tuple[int, int] | None
 
-def settings(setters: Sequence[Setter], order: Order) -> list[tuple[int, int]]:
+#: That of each declared memory.
+Columns: TypeAlias = tuple[Column, ...]
+
+
+@lru_cache(maxsize=64)
+def settings(setters: tuple[Setter, ...], order: Order) -> tuple[tuple[int, int], ...]:
     """Return pairs ``(i, p)``: phase `p` of an order sets memory `i` of the declared cell."""
     places = range(len(order.steps))
-    return [(i, p) for i, q in enumerate(setters) for p in places if _is_set(q, order, p)]
+    found = [(i, p) for i, q in enumerate(setters) for p in places if _is_set(q, order, p)]
+    return tuple(found)
 
 
 def _is_set(setter: Setter, order: Order, p: int) -> bool:
@@ -182,16 +203,13 @@ def _is_set(setter: Setter, order: Order, p: int) -> bool:
     return phase in setter and before not in setter
 
 
-def memory_columns(
-    setters: Sequence[Setter], order: Order, p: int
-) -> list[tuple[int, int] | None]:
-    """Return index among `settings`, and sign, of each declared memory on phase `p`.
+@lru_cache(maxsize=64)
+def memory_columns(setters: tuple[Setter, ...], order: Order) -> tuple[Columns, ...]:
+    """Return for each phase of an order the columns of the declared memories.
 
-    The latest setting holds; before the first, the last one of the cell before.  None for a
-    memory that holds in no phase of the order.
+    The latest setting holds; before the first, the last one of the cell before.
     """
-    all_settings = settings(setters, order)
-    columns: list[tuple[int, int] | None] = []
+    all_settings, columns = settings(setters, order), []
     for i, setter in enumerate(setters):
         of_memory = [(at, column) for column, (q, at) in enumerate(all_settings) if q == i]
         if not of_memory and isinstance(setter, int):
@@ -200,14 +218,19 @@ def memory_columns(
         if not (of_memory or isinstance(setter, int)) and order.steps[0].phase in setter:
             what = "phases: none of them sets a memory, which may have any of many values"
             raise UnknownScene(what)
-        before = [column for at, column in of_memory if at <= p]
-        sign = 1 if before or not order.half_period else -1
-        latest = before or [column for _, column in of_memory]
-        columns.append((latest[-1], sign) if latest else None)
-    return columns
+        columns.append([_column(of_memory, order, p) for p in range(len(order.steps))])
+    return tuple(tuple(column[p] for column in columns) for p in range(len(order.steps)))
 
 
-def _with_columns(phase: Phase, columns: Sequence[tuple[int, int] | None], count: int) -> Phase:
+def _column(of_memory: Sequence[tuple[int, int]], order: Order, p: int) -> Column:
+    """Return the column of a memory on phase `p`, of those that phases up to P set."""
+    before = [column for at, column in of_memory if at <= p]
+    sign = 1 if before or not order.half_period else -1
+    latest = before or [column for _, column in of_memory]
+    return (latest[-1], sign) if latest else None
+
+
+def _with_columns(phase: Phase, columns: Columns, count: int) -> Phase:
     """Return a phase with its factors of declared memories moved to `columns` of `count`."""
 
     def put(factors: Form) -> Form:

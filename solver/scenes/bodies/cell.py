@@ -93,9 +93,9 @@ class BodyPhase(Phase):
         jumps = any(form[q] for jump, q in velocities if jump != (1.0, 0.0))
         return jumps or any(form[q] for q in (*force, *a))
 
-    def with_forms(self, put: Callable[[Form], Form]) -> Self:
-        """Return the phase with each form replaced by ``put(form)``."""
-        return replace(super().with_forms(put), laws=tuple(map(put, self.laws)))
+    def with_forms(self, put: Callable[[Form], Form], **others: Any) -> Self:
+        """Return the phase with each form replaced by ``put(form)``, and `others` as given."""
+        return super().with_forms(put, laws=tuple(map(put, self.laws)), **others)
 
 
 def _scaled(law: Form) -> Form:
@@ -152,7 +152,8 @@ def _check_jumps(cell: BodyCell) -> None:
     The impulse is that of all modes: of the velocity of a few it turns a part.
     """
     for p, phase in enumerate(cell.phases):
-        if any(cell.phases[q].held for q, _ in cell.followers(p)):
+        turns = any(rho <= 0 for rho, _ in phase.jumps)
+        if not turns or any(cell.phases[q].held for q, _ in cell.followers(p)):
             continue
         factors = 1 + np.diag(cell.body.kept_mobility @ impulses(cell, p)[0])
         for (rho, _), goes_on in zip(phase.jumps, factors, strict=True):

@@ -68,8 +68,8 @@ MUTANTS = (
     Mutant(
         "the event of a mirrored phase is not mirrored",
         "solver/scenes/mirror.py",
-        "image = phase.with_forms(_mirrored)",
-        "image = replace(phase.with_forms(_mirrored), event=phase.event)",
+        "return phase.with_forms(_mirrored, **turned)",
+        "turned['event'] = phase.event\n    return type(phase)(**vars(phase.with_forms(_mirrored)) | turned)",
         MOTION,
     ),
     Mutant(
