@@ -4,14 +4,15 @@ import builtins
 import cmath
 import dis
 import math
+import sys
 import types
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Sequence
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args, get_origin
 
 from ...generated import hb
-from ..arrays import Complex, Matrix, Vector
+from ..arrays import Complex, Indices, Integers, Matrix, Vector
 from ..iteration import by_rows, iteration, linear, single
 from ..maps import alone, band, one_by_one, series, series_rates, together
 from ..rows import (
@@ -40,7 +41,10 @@ SERIES = (hb, moments, harmonics, joints, fourier, orthogonality, breaking, whol
 WITH_ONE = (*SERIES, one_function)
 
 #: Attributes, of modules and of numbers, whose use allocates no array.
-OF_NUMBERS = {"imag", "real", "shape"}.union(vars(cmath), vars(math))
+OF_NUMBERS = {"conjugate", "imag", "real", "shape"}.union(vars(cmath), vars(math))
+
+#: Arrays, as functions return them.
+ARRAYS = (Vector, Matrix, Complex, Integers, Indices)
 
 #: ``make(function, namespace, counted)``: a function over a namespace, plain or compiled;
 #: `counted` if it may allocate arrays.
@@ -129,10 +133,15 @@ def with_arrays(functions: dict[str, types.FunctionType], callables: set[str]) -
 
     The `callables`, of which nothing is known, are among them.
     """
-    owners = set(callables)
+    owners, known = set(callables), set(OF_NUMBERS)
+    for value in functions.values():
+        known |= {
+            field for q in vars(sys.modules[value.__module__]).values() for field in fields(q)
+        }
     for name, value in functions.items():
-        is_array = value.__annotations__.get("return") in (Vector, Matrix, Complex)
-        if is_array or not attributes(value) <= OF_NUMBERS:
+        kinds = value.__annotations__
+        lists = not {list, Sequence}.isdisjoint(map(get_origin, kinds.values()))
+        if lists or holds_arrays(kinds.get("return")) or not attributes(value) <= known:
             owners.add(name)
     new = owners
     while new:
@@ -140,6 +149,19 @@ def with_arrays(functions: dict[str, types.FunctionType], callables: set[str]) -
         new = {name for name, used in calling if not owners.isdisjoint(used)} - owners
         owners |= new
     return owners
+
+
+def fields(kind: Any) -> set[str]:
+    """Return the names of the fields of a `NamedTuple`, and of those in it; else none."""
+    if not (isinstance(kind, type) and hasattr(kind, "_fields")):
+        return set()
+    return set(kind.__annotations__).union(*map(fields, kind.__annotations__.values()))
+
+
+def holds_arrays(annotation: Any) -> bool:
+    """Return whether what a function returns may hold arrays, as far as its type says so."""
+    parts = map(holds_arrays, get_args(annotation))
+    return annotation in ARRAYS or bool(fields(annotation)) or any(parts)
 
 
 def attributes(function: types.FunctionType) -> set[str]:

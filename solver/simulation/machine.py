@@ -48,12 +48,7 @@ PARTS = zeros, bounds, locate, chatter, clock, state, switches, step
 def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     """Return the functions of `step` and `run`, plain or compiled."""
     flow = linking.made((divided, responses), {}, make)
-    return linking.made((*PARTS, motion), {"state_at": flow["state_at"]}, counting(make))
-
-
-def counting(make: linking.Make) -> linking.Make:
-    """Return a maker with numba's reference counting on: some functions take lists."""
-    return lambda function, names, _: make(function, names, True)
+    return linking.made((*PARTS, motion), {"state_at": flow["state_at"]}, make)
 
 
 #: The functions, linked as plain Python or compiled once plain ones have cost enough.

@@ -4,11 +4,13 @@ import math
 import types
 from dataclasses import replace
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 import pytest
 from made_scenes import made
 
+from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.bodies.force_series import events
 from nonsmooth.solver.iteration import by_rows
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
@@ -206,6 +208,41 @@ def gives(n):
 
 def adds(n):
     return n + 1
+
+
+class Pair(NamedTuple):
+    """An array beside a number."""
+
+    values: Vector
+    weight: float
+
+
+class Pairs(NamedTuple):
+    """A tuple in a tuple."""
+
+    first: Pair
+
+
+def reads(pairs: Pairs) -> float:
+    return pairs.first.values[0] * pairs.first.weight
+
+
+def pairs_up(values: Vector) -> tuple[Pair, int]:
+    return Pair(values, 1.0), 1
+
+
+def copies(pair: Pair) -> float:
+    return pair.values.copy()[0]
+
+
+def appends(numbers: list[float]) -> None:
+    numbers[0] = 1.0
+
+
+def test_what_reads_fields_is_not_counted() -> None:
+    """What returns arrays in a tuple is, and what takes a list."""
+    functions = {one.__name__: one for one in (reads, pairs_up, copies, appends)}
+    assert linking.with_arrays(functions, set()) == {"pairs_up", "copies", "appends"}
 
 
 def test_what_calls_for_an_array_is_counted_too() -> None:

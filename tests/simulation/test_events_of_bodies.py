@@ -10,7 +10,7 @@ from scipy.linalg import expm
 
 import nonsmooth as ns
 from nonsmooth.solver.bodies.laws import scales
-from nonsmooth.solver.simulation.bodies.along import Along, along_of, bounds, least
+from nonsmooth.solver.simulation.bodies.along import Along, along_of, least, put_bounds
 from nonsmooth.solver.simulation.bodies.locate import first_event
 from nonsmooth.solver.simulation.bodies.phases import Phases, forms_of, laws_of, poles_of
 from nonsmooth.solver.simulation.bodies.regime import Regime, regimes
@@ -86,11 +86,11 @@ def test_a_form_stays_within_its_bounds(name: str, order: int) -> None:
         rows = regime.contacts[:, 0] @ np.linalg.matrix_power(regime.generator, order)
         states = [expm(regime.generator * q) @ Y for q in t]
         found = np.array([rows @ state for state in states]).T
-        h = 0.5
+        h, bound = 0.5, np.empty(len(rows))
         for k in range(len(t)):
             within = (t >= t[k]) & (t <= t[k] + h)
             size = 1e-12 * np.abs(rows) @ np.abs(states[k])
-            bound = bounds(own, order, float(t[k]), h)
+            put_bounds(own, order, float(t[k]), h, bound)
             assert (np.abs(found[:, within]).max(axis=1) <= bound + size).all()
         values = np.array([regime.contacts[:, 0] @ state for state in states]).T
         rounding, low = 1e-9 * own.sizes, least(own, float(t[20]), float(np.abs(Y).max()))

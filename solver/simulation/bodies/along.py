@@ -14,9 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...arrays import Complex, Indices, Integers, Matrix, Vector
-from ...flow.divided import exp
 from ..steps.locate import NOISE
-from .modes import Modes, modes_of, power_of, real_of, rounded, size_of, value_of
+from .modes import Modes, modes_of, power_of, real_of, rounding_of, size_of, value_of
 from .phases import TERMS, Phases
 
 #: Size of a form on its own surface that is rounding, relative to its factors and the state.
@@ -26,7 +25,7 @@ ON_IT = 1e-6
 NEVER = TERMS + 1
 
 #: Weight of the driven part of a pole beside its initial value, in the size of a form.
-DRIVEN = 1 / 16
+DRIVEN = 1 / 8
 
 #: An exponent of which the exponential is finite.
 LARGE = 700.0
@@ -57,6 +56,9 @@ class Along(NamedTuple):
         is a part of it.
     near : ndarray of bool, shape (m,)
         Which poles are near the frequency that drives them.
+    apart : ndarray, shape (m,)
+        The distance of each pole that is near, from that frequency; infinity for the others
+        of a forced body: to find where a form vanishes, their steady answers will do.
     free, drive : ndarray, shape (m,)
         The modulus of the free part of each pole that is not near, and of the drive of each
         that is.
@@ -75,6 +77,7 @@ class Along(NamedTuple):
     rate: Vector
     sizes: Vector
     near: Indices
+    apart: Vector
     free: Vector
     drive: Vector
     waves: Vector
@@ -89,10 +92,10 @@ def leading(phases: Phases, row: int, Y: Vector, zero: bool) -> int:
     `zero`: the state is known to be on the form's surface, whatever the rounding.
     """
     rates, rounding = phases.forms.rates[row], phases.forms.rounding[row]
-    errors = rounded(Y, phases.poles.bases.shape[1])
+    n = phases.poles.bases.shape[1]
     for order in range(TERMS):
         value = abs(value_of(rates[order], Y))
-        size = size_of(rounding[order], errors)
+        size = rounding_of(rounding[order], Y, n)
         is_zero = zero and order == 0 and value <= ON_IT * _largest(rates[0], Y)
         if value > NOISE * size and not is_zero:
             return order
@@ -165,9 +168,12 @@ def along_of(
         sizes[f] += size_of(phases.forms.rates[rows[f], 0, n + 2 :], Y[n + 2 :])
         for i in range(m):
             sizes[f] += float(moduli[f, i]) * float(amounts[i])
+    apart = np.zeros(m)
+    for i in range(m):
+        apart[i] = modes.least[i] if poles.near[p, i] or omega == 0 else math.inf
     return Along(
-        modes, by_poles, direct, moduli, fixed, orders, rate, sizes, poles.near[p, :m], free,
-        drive, waves, constant, float(poles.window[p]), float(poles.growth[p]),
+        modes, by_poles, direct, moduli, fixed, orders, rate, sizes, poles.near[p, :m], apart,
+        free, drive, waves, constant, float(poles.window[p]), float(poles.growth[p]),
     )  # fmt: skip
 
 
@@ -222,43 +228,38 @@ def _amounts(modes: Modes, window: float) -> Vector:
     return amounts
 
 
-def value_at(along: Along, f: int, z: Complex, t: float) -> tuple[float, float]:
-    """Return value and slope of a form at a time, by the poles there."""
-    wave = exp(1j * along.modes.omega * t)
+def value_at(along: Along, f: int, z: Complex, wave: complex) -> tuple[float, float]:
+    """Return value and slope of a form at a time, by the poles and ``e^(i Omega t)`` there."""
     value = real_of(along.by_poles[f, 0], z) + (complex(along.direct[f, 0]) * wave).real
     slope = real_of(along.by_poles[f, 1], z) + (complex(along.direct[f, 1]) * wave).real
     return value + float(along.fixed[f, 0]), slope + float(along.fixed[f, 1])
 
 
-def bounds(along: Along, order: int, t: float, h: float) -> Vector:
-    """Return a bound of a derivative of each form on the interval from t to t + h.
+def put_bounds(along: Along, order: int, t: float, h: float, limits: Vector) -> None:
+    """Fill in a bound of a derivative of each form on the interval from t to t + h.
 
     Where a body moves freely, one of order 2 or more.
     """
-    modes, moduli = along.modes, np.zeros(len(along.free))
-    for i in range(len(moduli)):
+    modes = along.modes
+    for f in range(len(limits)):
+        limits[f] = float(along.waves[f]) * power_of(modes.omega, order)
+    for i in range(len(along.free)):
         s, drive = complex(modes.poles[i]), float(along.drive[i])
         growth = math.exp(min(s.real * h, LARGE)) if s.real > 0 else 1.0
         decay = math.exp(min(s.real * t, LARGE))
         power = power_of(abs(s), order)
-        if not along.near[i]:
-            moduli[i] = float(along.free[i]) * decay * power * growth
-            continue
-        lasting = min(t, 1 / max(-s.real, 1e-300)) * max(decay, 1.0)
-        modulus = (abs(complex(modes.start[i])) * decay + drive * (lasting + h)) * growth
-        terms = 0.0
-        for k in range(order):
-            terms += power_of(abs(s), order - 1 - k) * power_of(modes.omega, k)
-        moduli[i] = power * modulus + drive * terms
-        if i < modes.free:  # a place, which this velocity moves
-            moduli[i] += float(along.drive[modes.free + i]) * power_of(modes.omega, order - 2)
-    limits = np.zeros(len(along.waves))
-    for f in range(len(limits)):
-        total = float(along.waves[f]) * power_of(modes.omega, order)
-        for i in range(len(moduli)):
-            total += float(along.moduli[f, i]) * float(moduli[i])
-        limits[f] = total
-    return limits
+        modulus = float(along.free[i]) * decay * power * growth
+        if along.near[i]:
+            lasting = min(t, 1 / max(-s.real, 1e-300)) * max(decay, 1.0)
+            modulus = (abs(complex(modes.start[i])) * decay + drive * (lasting + h)) * growth
+            terms = 0.0
+            for k in range(order):
+                terms += power_of(abs(s), order - 1 - k) * power_of(modes.omega, k)
+            modulus = power * modulus + drive * terms
+        if along.near[i] and i < modes.free:  # a place, which this velocity moves
+            modulus += float(along.drive[modes.free + i]) * power_of(modes.omega, order - 2)
+        for f in range(len(limits)):
+            limits[f] += float(along.moduli[f, i]) * modulus
 
 
 def least(along: Along, t: float, size: float) -> Vector:

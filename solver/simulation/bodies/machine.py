@@ -16,7 +16,7 @@ from ...kernels import linking
 from ...kernels.family import Family
 from ...scenes.bodies.cell import BodyCell
 from ...scenes.cell import Cell
-from ..machine import Machine, counting
+from ..machine import Machine
 from ..nodes import InState
 from ..steps import chatter, clock, column, rules, switches
 from ..steps import locate as common_locate
@@ -43,7 +43,7 @@ def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     """Return the functions of `step` and `run` over those of bodies, plain or compiled."""
     functions = linking.made((divided,), {}, make)
     exponentials = {name: functions[name] for name in ("exp", "of_two", "of_three")}
-    return linking.made((*PARTS, motion, *OWN), exponentials, counting(make))
+    return linking.made((*PARTS, motion, *OWN), exponentials, make, of_numbers=exponentials)
 
 
 #: The functions, linked as plain Python or compiled once plain ones have cost enough.

@@ -55,15 +55,15 @@ def size_of(row: Vector, Y: Vector) -> float:
     return total
 
 
-def rounded(Y: Vector, n: int) -> Vector:
-    """Return the rounding errors of the entries of a state of n coordinates, in units of eps.
+def rounding_of(row: Vector, Y: Vector, n: int) -> float:
+    """Return the rounding error of a form of a state of n coordinates, in units of eps.
 
     Those of cosine and sine come from the angle of the forcing, also where they are near 0.
     """
-    errors = np.zeros(len(Y))
-    for i in range(len(Y)):
-        errors[i] = 1.0 if n <= i < n + 2 else Y[i]
-    return errors
+    total = 0.0
+    for i in range(len(row)):
+        total += abs(float(row[i]) * (1.0 if n <= i < n + 2 else float(Y[i])))
+    return total
 
 
 def power_of(number: float, order: int) -> float:
@@ -97,17 +97,23 @@ def modes_of(poles: Poles, omega: float, p: int, Y: Vector) -> Modes:
     return Modes(omega, int(poles.free[p]), values, start, drives, answers, least)
 
 
-def poles_at(modes: Modes, t: float) -> Complex:
-    """Return the values of the poles at a time; shape (m,).
+def wave_at(modes: Modes, t: float) -> complex:
+    """Return ``e^(i Omega t)``."""
+    return exp(1j * modes.omega * t)
+
+
+def put_poles(modes: Modes, t: float, wave: complex, apart: Vector, values: Complex) -> None:
+    """Fill in the values of the poles at a time, where `wave_at` is `wave`; shape (m,).
 
     For a pole near its drive not by the steady answer, which would lose digits.
+
+    apart : ndarray, shape (m,)
+        `Modes.least`, or infinity where the digits of a small change do not matter.
     """
-    values = np.zeros(len(modes.poles), np.complex128)
     turning = 1j * modes.omega
-    wave = exp(turning * t)
     for i in range(len(values)):
         s, start = complex(modes.poles[i]), complex(modes.start[i])
-        if modes.least[i] * t >= CLEAR:
+        if float(apart[i]) * t >= CLEAR:
             up, down = complex(modes.answers[0, i]), complex(modes.answers[1, i])
             constant = complex(modes.answers[2, i])
             z = (start - up - down - constant) * exp(s * t)
@@ -122,12 +128,13 @@ def poles_at(modes: Modes, t: float) -> Complex:
         if i < modes.free:
             z += complex(modes.start[modes.free + i]) * t
         values[i] = z
-    return values
 
 
 def state_at(poles: Poles, omega: float, p: int, Y: Vector, t: float) -> Vector:
     """Return y at a time t after the state Y in which a phase begins."""
-    z, y = poles_at(modes_of(poles, omega, p, Y), t), np.zeros(poles.bases.shape[1])
+    modes, y = modes_of(poles, omega, p, Y), np.zeros(poles.bases.shape[1])
+    z = np.zeros(len(modes.poles), np.complex128)
+    put_poles(modes, t, wave_at(modes, t), modes.least, z)
     for j in range(len(y)):
         y[j] = real_of(poles.bases[p, j], z)
     return y

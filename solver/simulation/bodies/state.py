@@ -15,7 +15,7 @@ from ..steps.locate import NOISE
 from ..steps.rules import Rules
 from ..steps.state import NEAR, Values, sets
 from .along import sign_after
-from .modes import rounded, size_of, value_of
+from .modes import rounding_of, value_of
 
 #: Relative size of the part of a form orthogonal to others below which it depends on them.
 NEW = 1e-10
@@ -57,7 +57,8 @@ def window_of(rules: Rules, p: int, state: BodyState) -> float:
 
 def local_of(rules: Rules, p: int, state: BodyState) -> Vector:
     """Return the vector Y of a state in which a phase begins."""
-    return full_of(begun(rules, p, state))
+    held = rules.kinds[p, column.HELD] != 0
+    return full_of(begun(rules, p, state) if held else state)
 
 
 def sign_of(rules: Rules, at: Vector, row: int, state: BodyState) -> int:
@@ -78,8 +79,8 @@ def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
         return True
     if abs(value_of(laws.velocity[p, 0, 0], Y) - speed) > NEAR * max(1.0, abs(speed)):
         return False
-    event, known_to = rules.forms[row], rounded(Y, len(state.y))
-    return wall == NONE or on or abs(value_of(event, Y)) <= NOISE * size_of(event, known_to)
+    event, n = rules.forms[row], len(state.y)
+    return wall == NONE or on or abs(value_of(event, Y)) <= NOISE * rounding_of(event, Y, n)
 
 
 def begun(rules: Rules, p: int, state: BodyState) -> BodyState:
@@ -166,9 +167,8 @@ def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
 
 def may_switch(rules: Rules, p: int, before: BodyState) -> bool:
     """Whether a state meets the demands at the switch of a phase, to rounding."""
-    Y = full_of(before)
-    known_to = rounded(Y, len(before.y))
+    Y, n = full_of(before), len(before.y)
     for row in range(rules.kinds[p, column.AT_SWITCH], rules.kinds[p, column.END]):
-        if value_of(rules.forms[row], Y) < -NOISE * size_of(rules.forms[row], known_to):
+        if value_of(rules.forms[row], Y) < -NOISE * rounding_of(rules.forms[row], Y, n):
             return False
     return True

@@ -12,7 +12,7 @@ from ..steps.clock import Clock, angle_of, later, time_to
 from ..steps.column import NONE
 from ..steps.locate import EVENT, NOISE
 from ..steps.rules import Rules
-from ..steps.switches import next_phase, rest_behind
+from ..steps.switches import follows, next_phase, rest_behind
 from .along import along_of, sign_after
 from .locate import first_event
 from .modes import size_by_poles, size_of, state_at, value_of
@@ -101,6 +101,8 @@ def changes(rules: Rules, p: int, row: int, end: BodyState, behind: BodyState) -
     for i in range(len(memory)):
         if memory[i] != behind.memory[i]:
             return True
+    if not follows(rules, p, int(rules.endings[p, surface]), p, behind):
+        return True
     return bool(next_phase(rules, p, surface, end, behind) != p)
 
 

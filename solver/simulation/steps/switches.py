@@ -61,7 +61,7 @@ def follows(rules: Rules, p: int, ended: int, q: int, state: AnyState) -> bool:
     """Whether phase q takes the state behind phase p, which the event of a phase has ended."""
     if q == NONE or (sets(rules, NONE, q) and not (rules.declared[ended] == q).any()):
         return False
-    return admits(rules, q, entered(rules, p, q, state))
+    return admits(rules, q, entered(rules, p, q, state) if sets(rules, p, q) else state)
 
 
 def rest_behind(rules: Rules, p: int, state: AnyState) -> int:
