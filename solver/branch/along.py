@@ -20,7 +20,7 @@ TERMS, ROUNDING = 24, 1e-15
 SMALL = 0.01
 
 #: Coordinates at which a property is checked that is to hold on the whole interval.
-SOME = -1.0, -0.4271, 0.3183, 1.0
+SOME = -0.9173, -0.4271, 0.3183, 0.8419
 
 #: Length of the shortest interval on which series are resolved, as a part of its values.
 SHORTEST = 1e-10
@@ -81,7 +81,7 @@ class Interval:
         return ((1 - q) * self.low + (1 + q) * self.high) / 2
 
     def some(self) -> list[float]:
-        """Return its ends and some values between, none of them special."""
+        """Return some values in it, none of them special, as ends may be."""
         return [self.value(q) for q in SOME]
 
     def halves_about(self, value: float) -> "Iterator[Interval]":
@@ -191,7 +191,9 @@ def divided_phases(cells: Sequence[Cell], durations: Vector) -> Integers:
     for p in np.flatnonzero(divided == returning).tolist():
         if changes_by_forces(cell, p) and vanishing(machines[0], p) > 1:
             least = min(vanishing(machine, p) for machine in machines)
-            divided[p] = least if least > 1 else divided[p]
+            # only with 3 the row says that a place which a rest keeps is on the surface
+            is_said = returning[p] or of_velocity(cell.phases[p].event) or least > 2
+            divided[p] = least if least > 1 and is_said else divided[p]
     return divided
 
 

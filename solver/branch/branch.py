@@ -33,6 +33,9 @@ ASIDE = 1e-4
 #: the range.
 FEW, SAME = 16, 1e-9
 
+#: Difference of durations, as a part of the cell, by which an orbit is another one.
+DIFFERENT = 1e-6
+
 #: Part of a range at which no parameter is special by chance.
 GENERIC = 0.437
 
@@ -223,9 +226,18 @@ def cut_where_violated(segment: Segment) -> None:
 
 
 def _violations(piece: Piece, place: Place) -> tuple[str, ...]:
-    """Return what an orbit violates, in words; nothing where it does not converge."""
+    """Return what an orbit violates, in words; nothing where it does not converge.
+
+    It must be the one to which its own equations lead from there.
+    """
     orbit = piece.orbit(place.y)
-    return () if orbit is None or not orbit.outcome.converged else orbit.violations
+    if orbit is None or not orbit.outcome.converged:
+        return ()
+    durations = piece.durations(place.y) * piece.case.units.time
+    off = np.abs(durations - orbit.durations[: len(durations)]).max()
+    if off > DIFFERENT * durations.sum():
+        return ("its durations are not those of an orbit",)
+    return orbit.violations
 
 
 def orbits_at(branch: BothWays, value: float) -> Iterator[ExactOrbit]:

@@ -6,6 +6,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.solver.branch import course
 from nonsmooth.solver.branch.walk import OUTSIDE, OWN, dips
 from nonsmooth.solver.branch.watch import rises
 from nonsmooth.solver.exact import exact_orbit
@@ -158,3 +159,37 @@ def test_two_flips_in_a_step_are_found() -> None:
     found = ns.branch(case, "frequency", 0.9, 1.3)
     flips = [event.parameter for event in found.events if event.kind == "flip"]
     assert flips == pytest.approx([1.052845, 1.055465], abs=1e-6)
+
+
+def on_a_vibrating_wall():
+    """Return a mass that comes to rest on a wall; the forcing changes its sign at 1 rad/s."""
+    A, W = sp.symbols("A W", positive=True)
+    presses = W - A * (m * Omega**2 - k) * forcing
+    flight = Phase("flight", m * a + c * v + k * x + presses, Event(x, jump={v: 0}), {"off": x})
+    rest = Phase("rest", a, Event(presses), {"it presses": presses}, held=0)
+    own = parameters(
+        mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.1), stiffness=(k, "N/m", 1.0),
+        pull=(W, "N", 0.5), amplitude=(A, "m", 0.5), frequency=(Omega, "rad/s", 2.0),
+    )  # fmt: skip
+    return ns.scene(Scene("wall", "a mass on a wall", own, (flight, rest), frequency=Omega))()
+
+
+def test_an_end_of_the_range_may_be_special() -> None:
+    """Half of 2 rad/s: there the wall does not move the mass, which vanishes as it leaves."""
+    found = ns.branch(on_a_vibrating_wall(), "frequency", 0.8, 2.5)
+    assert [event.kind for event in found.events] == ["sticking"]
+    assert found.events[0].parameter == pytest.approx(np.sqrt(2), rel=1e-12)
+    for row in found.rows[10::20]:
+        exact = exact_orbit(on_a_vibrating_wall().with_value("frequency", row.value))
+        assert row.durations == pytest.approx(exact.durations, rel=1e-9)
+
+
+def test_rows_are_those_of_orbits(monkeypatch) -> None:
+    """Where the equations of a branch have other solutions too, it does not follow them."""
+    wrong = np.array([2, 0])  # that the flight gains nothing: it may begin anywhere
+    monkeypatch.setattr(course, "divided_phases", lambda *_: wrong)
+    found = ns.branch(on_a_vibrating_wall(), "frequency", 1.9, 2.1)
+    for row in found.rows:
+        exact = exact_orbit(on_a_vibrating_wall().with_value("frequency", row.value))
+        assert row.durations == pytest.approx(exact.durations, rel=1e-5)
+    assert "its durations are not those of an orbit" in " ".join(found.why_it_ended)
