@@ -161,16 +161,19 @@ def chebyshev(count: int) -> tuple[Vector, Matrix]:
     return np.cos(np.pi / (2 * count) * k), 2 / count * table
 
 
-def weights(cell: Cell, z: Vector) -> Vector:
-    """Return 1 over the scale of each unknown of a cell, and 1 for ``q``."""
+def weights(cell: Cell, z: Vector, farthest: float) -> Vector:
+    """Return 1 over the scale of each unknown of a cell, and 1 for ``q``.
+
+    `farthest` is the largest displacement, also between switches: at these all may vanish.
+    """
     count, memories = len(cell.phases), len(cell.memory)
     states, memory = z[: 2 * count], z[2 * count : 2 * count + memories]
     total = float(z[2 * count + memories :][:count].sum())
-    largest = float(np.abs(z[: 2 * count + memories]).max())
-    least = SMALL * largest if largest > ROUNDING else 1.0  # at rest at 0 at every switch
+    largest = max(farthest, float(np.abs(z[: 2 * count + memories]).max()))
+    least = SMALL * largest if largest > ROUNDING else 1.0  # at rest at 0
     sizes = np.ones(len(z) + 1)
-    for j in range(2):
-        sizes[j : 2 * count : 2] = max(float(np.abs(states[j::2]).max()), least)
+    sizes[0 : 2 * count : 2] = max(farthest, least)
+    sizes[1 : 2 * count : 2] = max(float(np.abs(states[1::2]).max()), least)
     sizes[2 * count : 2 * count + memories] = np.maximum(np.abs(memory), least)
     sizes[2 * count + memories :][:count] = total
     return 1 / sizes
@@ -181,7 +184,8 @@ def divided_phases(cells: Sequence[Cell], durations: Vector) -> Integers:
 
     By 1 for phases that begin on the surface where they end.  If all phases of a cell do, the
     longest keeps its row: else no equation puts the orbit on the surface.  By 2 or 3 where, in
-    all of some cells, so many of the event and its rates vanish as the phase begins.
+    all of some cells, so many of the event and its rates vanish as the phase begins; behind a
+    rest on the surface by 3 alone, with which another row says where it is.
     """
     cell, machines = cells[0], list(map(machine_of, cells))
     returning = np.array([returns(cell, p) for p in range(len(cell.phases))], dtype=np.int64)
@@ -191,9 +195,7 @@ def divided_phases(cells: Sequence[Cell], durations: Vector) -> Integers:
     for p in np.flatnonzero(divided == returning).tolist():
         if changes_by_forces(cell, p) and vanishing(machines[0], p) > 1:
             least = min(vanishing(machine, p) for machine in machines)
-            # only with 3 the row says that a place which a rest keeps is on the surface
-            is_said = returning[p] or of_velocity(cell.phases[p].event) or least > 2
-            divided[p] = least if least > 1 and is_said else divided[p]
+            divided[p] = least if least > 1 else divided[p]
     return divided
 
 

@@ -41,6 +41,9 @@ ROUNDING = 1e-8
 #: How many derivatives of a form are examined at the start of a phase.
 HIGHEST = 4
 
+#: Where in its duration a phase is looked at, for how far it goes.
+LOOKED_AT = 0.0, 0.25, 0.5, 0.75
+
 #: Most phases of an order that is followed; near chatter their number has no bound.
 MOST = 40
 
@@ -192,7 +195,11 @@ class Course(Itinerary):
         """
         cell_arrays, before = arrays(cell), 2 * len(cell.phases) + len(cell.memory)
         divided = divided_phases((cell, *other_cells), z[before:])
-        arguments = cell_arrays.kinds, cell_arrays.setting, series, divided, weights(cell, z)
+        case, durations = self.case_of(cell, []), z[before:][: len(cell.phases)]
+        times = [(p, s * part) for p, s in enumerate(durations) for part in LOOKED_AT]
+        farthest = max(abs(self.state(case, z, p, t)[0]) for p, t in times)
+        scales = weights(cell, z, farthest)
+        arguments = cell_arrays.kinds, cell_arrays.setting, series, divided, scales
         return Along(*arguments, before, float(cell.sign))
 
     def by(self, name: str, *arguments: Any) -> Any:

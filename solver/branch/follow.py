@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arrays import Vector
 from ..scenes.parameter_error import ParameterError
+from .along import EQUAL
 from .course import Course
 from .events import EDGE, events_in, in_turn, shows_event
 from .locate import Found, estimated
@@ -114,9 +115,12 @@ def follow(
 
 def _why_stuck(piece: Piece, place: Place) -> str:
     """Return why no step succeeds: the parameter is out of bounds ahead, or none is known."""
+    at, edge = piece.value(place.y), piece.bounds[int(place.tangent[-1] > 0)]
+    if abs(at - edge) <= EQUAL * abs(edge):
+        return RANGE
     unit, parameters = unit_of(piece.case, piece.index), piece.case.numbers
     reach = AHEAD * float(np.copysign(piece.bounds[1] - piece.bounds[0], place.tangent[-1]))
-    ahead = piece.value(place.y) + reach
+    ahead = at + reach
     if piece.bounds[0] <= ahead <= piece.bounds[1]:
         numbers = (*parameters[: piece.index], ahead / unit, *parameters[piece.index + 1 :])
         try:

@@ -251,14 +251,25 @@ def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -
             f"{span} {phase.name}, not true that {words}: by {below / scale:.3g} of "
             f"its size {where} (allowed: {allowed(p, form):.2g})"
         ]
-    if vanishes_by_event(orbit, p, form):
-        slope = float(chebyshev.derivative_at(parts, np.ones(1), 1)[0])
-        if not slope < 0:
-            return [
-                f"{phase.name} ends from beyond its limit ({words}) {_state(orbit, p, 1.0)}: "
-                "its event is crossed in the wrong direction"
-            ]
+    if vanishes_by_event(orbit, p, form) and not _slope_at_end(orbit, p, form, parts) < 0:
+        return [
+            f"{phase.name} ends from beyond its limit ({words}) {_state(orbit, p, 1.0)}: "
+            "its event is crossed in the wrong direction"
+        ]
     return []
+
+
+def _slope_at_end(orbit: Motion, p: int, form: Form, parts: list[chebyshev.Piece]) -> float:
+    """Return the rate of a form where a phase ends, up to a positive factor.
+
+    For one mass by the velocity there, as differences of values may all be rounding.
+    """
+    end = np.ones(1)
+    if orbit.case.scene.has_body:
+        return float(chebyshev.derivative_at(parts, end, 1)[0])
+    v, a = (float(orbit.part(p, end, j)[0]) for j in (1, 2))
+    sine = float(np.sin(orbit.angle_at(p, end))[0])
+    return float(np.dot(form[:3], (v, a, -orbit.cell.omega * sine)))
 
 
 def _rounding_of(orbit: Motion, scale: float, values: Vector) -> float:

@@ -92,7 +92,8 @@ def vanishing(machine: Machine, p: int) -> int:
     """Return how many of an event and its first two rates vanish where its phase begins.
 
     Known there are: the event of the phase before it in the cell is zero; what that phase holds
-    is held; a rest ends where it began; and phase p has just set its memory.
+    is held; a rest ends where it began; and phase p has just set its memory.  Where it is the
+    rest that says so, 0 unless all vanish: see `branch.along.divided_phases`.
     """
     cell, state, phase = machine.cell, machine.in_state(p), machine.nodes[p].phase
     before, earlier = (
@@ -102,14 +103,15 @@ def vanishing(machine: Machine, p: int) -> int:
     row, count = _row(state, phase.event), 0
     known = [*_known(before, machine.in_state(machine.number(before.step)))]
     at_rest = before.phase.held and before.phase.speed == 0
-    if at_rest and earlier.event == machine.nodes[p].event and not any(phase.event[1:3]):
+    stays = at_rest and earlier.event == machine.nodes[p].event and not any(phase.event[1:3])
+    if stays:
         known.append(row)
     for i, memory in enumerate(cell.memory, phase.width):
         if memory.phase == p:
             known.append(state.rows[i] - _row(state, memory.value))
     while count < OF_AN_EVENT and _constant(row, np.array(known), state.one) == 0.0:
         row, count = row @ state.generator, count + 1
-    return count
+    return 0 if stays and count < OF_AN_EVENT else count
 
 
 def _row(state: InState, form: Form) -> Vector:

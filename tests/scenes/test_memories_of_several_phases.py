@@ -151,6 +151,15 @@ def test_a_branch_goes_from_order_to_order() -> None:
         )
 
 
+def test_two_phases_of_a_branch_vanish_one_behind_the_other() -> None:
+    """One begins where its event and its rate vanish, by the memory that it has just set."""
+    branch = ns.branch(joints(frequency=0.6394), "frequency", 0.6393, 0.64)
+    assert [event.kind for event in branch.events] == ["vanishing", "vanishing"]
+    values = [event.parameter for event in branch.events]
+    assert values == pytest.approx([0.639484676600113, 0.639739331618907], rel=1e-12)
+    assert branch.why_it_ended == ("the end of the range",) * 2
+
+
 def test_a_joint_that_never_slips_leaves_its_slider_anywhere() -> None:
     with pytest.raises(NoOrbit, match="none of them sets w_1, which may have any of many val"):
         ns.exact(joints(low_friction=0.2))

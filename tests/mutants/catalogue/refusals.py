@@ -48,8 +48,8 @@ MUTANTS = (
     Mutant(
         "an event may be crossed in the wrong direction",
         "solver/orbit/admissible.py",
-        "        if not slope < 0:\n",
-        "        if False:\n",
+        "not _slope_at_end(orbit, p, form, parts) < 0:",
+        "False:",
         ADMISSIBLE,
     ),
     Mutant(
