@@ -23,6 +23,9 @@ from .simulation.steps.state import AnyState, State
 #: Periods that are left to a transient, and that are kept; of a basin, those in all.
 TRANSIENT, KEPT, CYCLES = 200, 50, 100
 
+#: How often a motion of a basin is followed again as long, if it has not settled.
+FURTHER = 3
+
 #: Most periods of an attractor.
 LONGEST = 16
 
@@ -111,7 +114,8 @@ def basins(
         Displacements in m and velocities in m/s at the start, at phase 0 of the forcing.  Of a
         body they are those of its first contact, in the state nearest to rest.
     cycles : int
-        For how many periods of the forcing each motion is followed.
+        For how many periods of the forcing each motion is followed; one that has not settled
+        then is followed again as long, up to three times.
     executor : Executor, optional
         Where the rows of the grid are computed: a pool of `concurrent.futures`, or what has
         its ``map``.  Default: this process.
@@ -139,30 +143,38 @@ def basins(
     xs, vs = map(_axis, ("x", "v"), (x, v), _units(of_all_phases(case))[:2])
     whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
     every, mapping = of_all_phases(case), map if executor is None else executor.map
-    rows = mapping(_tails, repeat(every), repeat(xs), vs, repeat(cycles))
+    decay = slowest_decay(every.cell) * cycle(every.cell)
+    speed = every.units.of_motion(1) / every.units.length * every.cell.omega
+    settling = float(decay), float(speed)
+    rows = mapping(_tails, repeat(every), repeat(xs), vs, repeat(cycles), repeat(settling))
     tails = []
     for value, row in zip(vs, rows, strict=True):
         tails.append(row)
         progress(float(value))
-    decay = slowest_decay(every.cell) * cycle(every.cell)
-    speed = every.units.of_motion(1) / every.units.length * every.cell.omega
-    attractors, index = _classified(np.array(tails), decay, speed)
+    attractors, index = _classified(np.array(tails), *settling)
     return Basins(case, xs, vs, attractors, index)
 
 
-def _tails(case: Case, xs: Vector, v: float, cycles: int) -> Matrix:
+def _tails(
+    case: Case, xs: Vector, v: float, cycles: int, settling: tuple[float, float]
+) -> Matrix:
     """Return the last states of the motions from a row of a grid, in SI units.
 
-    Not a number where no phase takes the start, or the motion ends.
+    Not a number where no phase takes the start, or the motion ends.  `settling` has the last
+    arguments of `_repeated`.
     """
     machine, units, count = machine_of(case.cell), _units(case)[:2], 2 * LONGEST + 1
     tails = np.full((len(xs), count, 2), np.nan)
     for i, x in enumerate(xs):
         start: AnyState = machine.released(float(x / units[0]), float(v / units[1]), 0.0)
-        if machine.begin(start) is not None:
+        for _ in range(1 + FURTHER if machine.begin(start) is not None else 0):
             states, last = _followed(case, machine, start, cycles)
-            if last is not None:
-                tails[i] = states[-count:, :2]
+            if last is None:
+                break
+            tails[i] = states[-count:, :2]
+            if _repeated(tails[i], *settling)[0] is not None:
+                break
+            start = _taken(case, machine, last)
     return tails
 
 
@@ -181,11 +193,8 @@ def _classified(
         for j in range(columns):
             if np.isnan(tails[i, j]).any():
                 continue
-            x, v = np.abs(tails[i, j]).max(axis=0)
-            sizes = np.array([max(x, LEAST * v / omega), max(v, LEAST * x * omega)])
-            sizes[sizes == 0] = 1.0
+            period, sizes = _repeated(tails[i, j], decay, omega)
             tail = tails[i, j] / sizes
-            period = _period(tail, decay)
             if period is None:
                 index[i, j] = -1
                 continue
@@ -200,6 +209,14 @@ def _classified(
                 states = tails[i, j][-period:]
                 attractors.append(Attractor(period, tuple(map(tuple, states.tolist()))))
     return tuple(attractors), index
+
+
+def _repeated(tail: Matrix, decay: float, omega: float) -> tuple[int | None, Vector]:
+    """Return after how many periods states repeat, None if never, and sizes to compare them."""
+    x, v = np.abs(tail).max(axis=0)
+    sizes = np.array([max(x, LEAST * v / omega), max(v, LEAST * x * omega)])
+    sizes[sizes == 0] = 1.0
+    return _period(tail / sizes, decay), sizes
 
 
 def _period(tail: Matrix, decay: float) -> int | None:

@@ -10,6 +10,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.plots.simulations import basins_figure, diagram_figure
+from nonsmooth.solver import strobe
 from nonsmooth.solver.existence.known import known_orbits
 
 SPRING = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.2)
@@ -50,6 +51,14 @@ def test_each_start_goes_where_a_simulation_goes(found) -> None:
             assert end[0] == pytest.approx(state[0], abs=1e-6)
 
 
+def test_a_motion_of_a_grid_is_followed_until_it_settles(monkeypatch) -> None:
+    """Some 7 % of a transient decay in a period: more than 100 of them are left to it."""
+    case = ns.scene("clearance")(force=0.01, damping=0.02, gap=1.0, frequency=0.8)
+    assert (ns.basins(case, [0.3], [0.0]).index == 0).all()
+    monkeypatch.setattr(strobe, "FURTHER", 0)
+    assert (ns.basins(case, [0.3], [0.0]).index == -1).all()
+
+
 def test_the_unstable_orbit_lies_between_the_basins() -> None:
     (between,) = (orbit for orbit in known_orbits(SPRING) if orbit.stable is False)
     x, v = at_no_phase(between)
@@ -75,7 +84,7 @@ def test_what_does_not_repeat_itself_has_no_attractor() -> None:
 def test_what_decays_in_millions_of_periods_has_not_settled() -> None:
     slow = ns.scene("clearance")(damping=1e-8, stiffness=4.0, frequency=1.0, gap=100.0)
     assert set(ns.basins(slow, [-1.0, 1.0], [0.0]).index.flat) == {-1}
-    damped = slow.with_value("damping", 0.05)
+    damped = slow.with_value("damping", 0.01)
     assert ns.basins(damped, [0.0, 1e9], [0.0]).index.tolist() == [[-1, -1]]
 
 
@@ -159,6 +168,13 @@ def test_the_command_has_the_basins(found, run, tmp_path: Path) -> None:
     assert len(path.read_text().splitlines()) == 10
     figure = basins_figure(found)
     assert len(figure.axes[0].lines) == 2
+
+
+def test_the_command_says_that_longer_may_settle_the_others(run) -> None:
+    flags = ("simulate", "clearance", *FLAGS[:2], *FLAGS[4:], "--damping", 0.001)
+    grid = ("--grid", "x=0:1:2", "--grid", "v=0:1:2")
+    _, out, _ = run(*flags, *grid, "--cycles", 40)
+    assert out.endswith("More --cycles than 40 may settle what has not.\n")
 
 
 def test_the_command_has_the_diagram(run, tmp_path: Path) -> None:

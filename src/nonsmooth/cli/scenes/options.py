@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 #: N of a command about one order, where none is named.
 ORDER = 10
 
-#: Periods that a diagram leaves out.
-TRANSIENT = 200
+#: Periods that a diagram leaves out and keeps, and that a motion from a grid is followed.
+TRANSIENT, KEPT, FOLLOWED = 200, 50, 100
 
 
 def method_names(scene: "LoadedScene") -> list[str]:
@@ -132,8 +132,9 @@ def of_simulate(scene: "LoadedScene") -> list[click.Parameter]:
     )
     cycles = (
         "How many periods of the forcing; without forcing, how many times 2 pi of the scene's "
-        "unit of time.  [default: 20]"
+        "unit of time.  [default: 20"
     )
+    cycles += f"; {KEPT} with --vary; {FOLLOWED} with --grid]" if scene.frequency else "]"
     vary = (
         "Draw a bifurcation diagram: the states once a period of the forcing, after a "
         "transient, at values of a parameter."

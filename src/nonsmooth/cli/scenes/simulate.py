@@ -16,10 +16,7 @@ from ..progress import busy, progress
 from ..values import parse_vary, values_of
 from . import captions, tables
 from .case import case_from, vary_from
-from .options import TRANSIENT
-
-#: Periods that a diagram keeps, and that a motion from a grid is followed.
-KEPT, FOLLOWED = 50, 100
+from .options import FOLLOWED, KEPT, TRANSIENT
 
 #: Most values of a diagram, and of an axis of a grid.
 MOST = 10_000
@@ -109,7 +106,9 @@ def _basins(
     with as_problems(), progress(len(axes["v"]), "simulate") as advance, pool() as executor:
         arguments = cycles, executor, lambda value: advance(f"v = {value:g}")
         result = basins(case, axes["x"], axes["v"], *arguments)
-    said = captions.caption(result.case), str(result)
+    longer = f"\nMore --cycles than {cycles} may settle what has not."
+    found = str(result) + longer * bool((result.index == -1).any())
+    said = captions.caption(result.case), found
     return _written(to, result, said, "simulations.basins_figure")
 
 
