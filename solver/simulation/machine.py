@@ -38,6 +38,9 @@ from .steps.rules import Rules, rules_of
 from .steps.state import AnyState, State
 from .steps.step import Passed
 
+#: Velocities from which `settle` simulates, relative to one that reaches all surfaces, about.
+THROWN = 1.5, -1.5, 4.0, -4.0
+
 #: Distance from a limit, in units of length, at which rest is tried beside it.
 ASIDE = 0.1
 
@@ -201,6 +204,13 @@ class Machine:
         begun = (self.by("begun", p, still) for p in held)
         aside = () if self.cell.forced else (self.released(x, 0.0, angle) for x in (1.0, -1.0))
         return [self.at_rest(angle), *map(self.remembered, begun), *aside]
+
+    def thrown(self) -> list[AnyState]:
+        """Return states with so much velocity that a mass passes its switching surfaces."""
+        events = (node.phase.event for node in self.nodes)
+        places = (abs(event[3] / event[0]) for event in events if event[0])
+        speed = self.cell.omega * max([1.0, *places])
+        return [self.released(0.0, part * speed, 0.0) for part in THROWN]
 
     def remembered(self, state: AnyState) -> AnyState:
         """Return a state with a suitable memory, where none is known.

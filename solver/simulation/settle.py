@@ -140,16 +140,19 @@ def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
 def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
     """Yield the outcomes of simulations of a case: see `rough_times_by_simulation`.
 
-    If none is conclusive, simulations from rest at other phases of the forcing follow.
+    If none is conclusive, simulations from rest at other phases of the forcing follow; if none
+    comes to an orbit with switches, simulations of a mass that is thrown.
     """
-    nothing = True
+    outcomes = []
     for settled in rough_times_by_simulation(case, phases):
-        nothing = nothing and not settled.conclusive
+        outcomes.append(settled)
         yield settled
-    if nothing and case.cell.forced:
-        machine = machine_of(case.cell)
-        starts = [machine.at_rest(angle) for angle in ANGLES]
-        yield from _followed_from(case, machine, starts, FEW * len(ANGLES))
+    if not case.cell.forced or any(q.times or q.other for q in outcomes):
+        return
+    machine, starts = machine_of(case.cell), machine_of(case.cell).thrown()
+    if not any(q.conclusive for q in outcomes):
+        starts = [*(machine.at_rest(angle) for angle in ANGLES), *starts]
+    yield from _followed_from(case, machine, starts, FEW * len(starts))
 
 
 def _followed_from(

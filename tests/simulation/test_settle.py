@@ -10,6 +10,7 @@ import pytest
 from every_run import tried
 from made_scenes import dry, made, mirrored
 from reached import EVERY_RUN, IMPACT, REACHED
+from shown import ROOT
 
 import nonsmooth as ns
 from nonsmooth.solver.exact import _by_half, exact_orbit
@@ -185,6 +186,20 @@ def test_the_work_is_bounded_and_what_was_done_is_said() -> None:
         head, _, tail = found.words.partition(" cycles ")
         assert tail == "does not settle"
         assert 0 <= int(head.removeprefix("a simulation of ")) < 500
+
+
+def test_an_orbit_beside_the_linear_response_is_found_from_a_throw() -> None:
+    """From rest the motion comes to the response that meets neither of its walls."""
+    case = ns.scene(ROOT / "examples/scenes/unequal_stops.py")(
+        mass=0.91, damping=0.02, stiffness=1.9, force=0.57, frequency=2.1, left=0.51, right=1.5,
+        restitution=0.88,
+    )  # fmt: skip
+    (from_rest,) = rough_times_by_simulation(case)
+    assert from_rest.words == "a simulation comes to a motion without switches"
+    orbit = ns.exact(case)
+    assert orbit.stable
+    thrown = ns.simulate(case, (0.0, 3.0), cycles=400).phases[-2]
+    assert thrown.duration == pytest.approx(orbit.durations[0], rel=1e-9)
 
 
 def test_newton_starts_where_a_motion_almost_repeats() -> None:
