@@ -49,6 +49,8 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
     def _name(self, label: str) -> str:
         if self._use_unicode and label.endswith(("^+", "^-")):
             return self._name(label[:-2]) + label[-1].translate(SUPERSCRIPTS)
+        if label.endswith("'"):  # not a part of the word below
+            return self._name(label[:-1]) + "'"
         name, word = with_word(label)
         if word:
             return f"{self._name(name)}_{word}"
@@ -78,6 +80,8 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         lowered = index.replace(" ", "").replace("*", "").translate(SUBSCRIPTS)
         if "N" in lowered:  # Unicode has none that is set low
             lowered = f"[{index}]"
+        if "_" in name and not word:  # a letter below, apart from the indices
+            lowered = f",{lowered}"
         return self._name(name) + raised.translate(SUPERSCRIPTS) + lowered
 
     def _print_Pow(self, expr: sp.Pow) -> prettyForm:

@@ -32,6 +32,8 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         return str(super()._print_Mul(ordered) if ordered.is_Mul else self._print(ordered))
 
     def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
+        if expr.name.endswith("'"):  # not a part of the word below
+            return self._print_Symbol(sp.Symbol(expr.name[:-1])) + "'"
         short, word = with_word(expr.name)
         if word:
             return f"{self._print(sp.Symbol(short))}_{{{_upright(word)}}}"
@@ -42,7 +44,14 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         name, word = with_word(base)
         if word:
             return rf"{self._print(sp.Symbol(name))}^{{{_upright(word)}}}_{{{indices}}}"
-        return f"{self._print(expr.base.label)}_{{{indices}}}"
+        label = self._print(expr.base.label)
+        if "_{" in label:  # of one letter, which stands below with the indices
+            return f"{label.removesuffix('}')}, {indices}}}"
+        return f"{label}_{{{indices}}}"
+
+    def _hprint_Function(self, func: str) -> str:
+        named = "_" in func or "'" in func
+        return str(self._print(sp.Symbol(func)) if named else super()._hprint_Function(func))
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
         ((variable, order),) = expr.variable_count

@@ -1,7 +1,10 @@
 """The conditions shown of each body, evaluated as they stand: those of the kernels."""
 
+import re
+
 import numpy as np
 import pytest
+import sympy as sp
 from bodies import reference_bodies
 from bodies.shown_bodies import Shown
 from bodies.test_reference_bodies import start
@@ -9,6 +12,11 @@ from every_run import tried
 
 import nonsmooth as ns
 from nonsmooth.codegen import scenes
+from nonsmooth.codegen.equations import sections
+from nonsmooth.codegen.printing.html import page_of
+from nonsmooth.codegen.printing.latex import document_of
+from nonsmooth.codegen.printing.text import text_of
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver.scenes.case import Case
 
 BODIES = tuple(scene for scene in map(scenes.load, scenes.names()) if scene.body is not None)
@@ -78,3 +86,56 @@ def test_so_they_are_of_other_bodies(case: str) -> None:
     assert np.abs(others).max() <= ROUNDING * shown.size
     assert events == pytest.approx(shown.residual[: len(events)], abs=1e-10)
     assert np.abs(events).max() > 1e-4
+
+
+def of_contacts(one: str, other: str) -> Scene:
+    """Return a scene with a spring behind a gap at one contact and a damper at the other."""
+    k, c, g, Omega = sp.symbols("k c g Omega", positive=True)
+    K = sp.Matrix([[2, -1], [-1, 1]])
+    at = {one: [1, 0], other: [0, 1]}
+    body = Body(M=sp.eye(2), K=K, C=K / 20, forcing=[0, 0.3], at=at)
+    first, second = body.at[one], body.at[other]
+    damper, meets = second.force + c * second.v, Event(first.x - g)
+    spring = first.force + k * (first.x - g)
+    phases = (
+        Phase("touch", (spring, damper), meets, {"it presses": first.x - g}),
+        Phase("free", (first.force, damper), meets, {"nothing is met": g - first.x}),
+    )
+    parameters = (
+        Parameter("stiffness", k, "N/m", 5.0, "of the spring"),
+        Parameter("damping", c, "N s/m", 0.1, "of the damper"),
+        Parameter("gap", g, "m", 0.1, "before the spring"),
+        Parameter("frequency", Omega, "rad/s", 0.6, "of the force"),
+    )
+    title = "two contacts"
+    return Scene("two", title, body=body, phases=phases, parameters=parameters, frequency=Omega)
+
+
+#: What is printed of the contacts: in LaTeX, and as text.
+SIGNS = {
+    ("a", "b"): (
+        (r"f_{a, n}", r"\chi_{b, j}", "f_{a}(t)", "= b_{a}' q(t)", "x_{b}'(t)"),
+        ("fₐ,ₙ", "χ_b,ⱼ", "fₐ(t)", "= bₐ'⋅q(t)", "x_b'(t)"),
+    ),
+    ("left", "right"): (
+        (
+            *(r"f^{\mathrm{left}}_{n}", r"\chi^{\mathrm{right}}_{j}"),
+            *(r"f_{\mathrm{left}}(t)", r"= b_{\mathrm{left}}' q(t)"),
+            r"x_{\mathrm{right}}'(t)",
+        ),
+        ("fˡᵉᶠᵗₙ", "χʳⁱᵍʰᵗⱼ", "f_left(t)", "= b_left'⋅q(t)", "x_right'(t)"),
+    ),
+}
+
+
+@pytest.mark.parametrize("contacts", SIGNS)
+def test_names_of_contacts_of_any_length_stand_below_or_above(
+    contacts: tuple[str, str],
+) -> None:
+    typeset, drawn = SIGNS[contacts]
+    shown = sections(of_contacts(*contacts))
+    document = document_of(shown, "two contacts").replace("&", "")
+    assert [sign for sign in typeset if sign not in document] == []
+    assert [sign for sign in drawn if sign not in text_of(shown)] == []
+    assert not re.search(r"_\{\w+\}_|'\}", document)  # a second index, a prime that is set low
+    assert "merror" not in page_of(shown, "two contacts")
