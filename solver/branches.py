@@ -57,7 +57,8 @@ def branch(
     first, last : float
         The range of the parameter, in SI units.
     start : Orbit or ExactOrbit, optional
-        An orbit to begin with, in place of one that is searched for.
+        An orbit of `case` to begin with, in place of one that is searched for.  Its value of
+        the parameter that varies and its number of periods of the forcing may be others.
     method, order, functions : str, int, int, optional
         An expansion to solve beside each exact orbit, from its times; see `solve`.  Given one
         of `method` and `order`, the other has its default.  ``row.beside`` has its errors.
@@ -70,7 +71,8 @@ def branch(
         If `case` is not a `Case`.
     ValueError
         If the scene has no such parameter, an end of the range is out of its bounds
-        (`ParameterError`), the range is empty, or `start` is outside of it.
+        (`ParameterError`), the range is empty, or `start` is outside of it, or an orbit of
+        another scene or of other parameters.
     NoOrbit
         If no orbit to begin with is found; with all starts that were tried.
     Interrupted
@@ -90,7 +92,9 @@ def branch(
     exact = start if isinstance(start, ExactOrbit) else getattr(start, "exact", None)
     if exact is None and start is not None:
         raise ValueError(f"start: got {start!r:.80}, expected an orbit near an exact one")
-    case = case if exact is None else exact.case
+    if exact is not None:
+        _check_start(case, parameter, exact.case)
+        case = exact.case
     how = Expansion.checked(case, method, order, functions)
     bounds = _bounds(case, parameter, first, last)
     orbit = _start(case, parameter, bounds) if exact is None else exact
@@ -160,6 +164,18 @@ def branches(
         method=method, order=order, functions=functions, progress=progress,
     )  # fmt: skip
     return [alone]
+
+
+def _check_start(case: Case, parameter: str, own: Case) -> None:
+    """Check that an orbit whose case is `own` is one of `case`; a `ValueError` if not."""
+    if own.scene.whole != case.scene.whole:
+        other = f"an orbit of another scene, {own.scene.name}"
+        raise ValueError(f"start: got {other}, expected one of {case.scene.name}")
+    for name, value in case.values.items():
+        if name != parameter and own.values[name] != value:
+            differs = f"{name} = {own.values[name]!r}, and the case has {value!r}"
+            expected = f"an orbit that differs in {parameter} alone"
+            raise ValueError(f"start: got one with {differs}; expected {expected}")
 
 
 def _interrupted(done: list[Branch]) -> Interrupted:

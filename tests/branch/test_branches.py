@@ -27,6 +27,7 @@ from nonsmooth.solver.flow.exact_system import arrays
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.results.interrupted import Interrupted
+from nonsmooth.solver.scenes.case import Case
 
 SPRING = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.0)
 FLAGS = ("clearance", "--force", 0.3, "--damping", 0.1, "--gap", 1, "--frequency", 1)
@@ -367,6 +368,24 @@ def test_a_motion_without_switches_is_followed_to_where_it_touches() -> None:
 def test_an_orbit_that_is_outside_of_the_range_is_refused() -> None:
     with pytest.raises(ValueError, match="start: got one at frequency = 1, expected an orbit"):
         ns.branch(SPRING, "frequency", 1.1, 1.2, start=ns.exact(SPRING))
+
+
+@pytest.mark.parametrize(
+    ("case", "message"),
+    [
+        (ns.scene("impact")(), "an orbit of another scene, clearance, expected one of impact"),
+        (SPRING.with_value("gap", 0.9), "one with gap = 1.0, and the case has 0.9; expected"),
+    ],
+)
+def test_an_orbit_of_another_case_is_refused(case: Case, message: str) -> None:
+    with pytest.raises(ValueError, match=f"start: got {message}"):
+        ns.branch(case, "frequency", 0.9, 1.2, start=ns.exact(SPRING))
+
+
+def test_an_orbit_may_differ_in_what_varies_and_in_its_order_of_phases() -> None:
+    case = SPRING.with_value("frequency", 1.1)
+    start = ns.solve(case, phases="contact,separated", method="ck-tau", order=8)
+    assert len(ns.branch(SPRING, "frequency", 1.09, 1.11, start=start)) > 1
 
 
 def test_words_and_documents(found: ns.Branch) -> None:
