@@ -56,6 +56,24 @@ def test_files_that_are_none(run, command: str, tmp_path: Path) -> None:
     assert "did you mean impact?" in refused(run, command, "impacd")
 
 
+@pytest.mark.parametrize(
+    ("name", "hint"),
+    [
+        ("case.toml", "; a case file is given by --case"),
+        ("orbit.json", "; a saved orbit is given by --from-orbit of branch, or read by load"),
+        ("ball.txt", ""),
+    ],
+)
+def test_other_files_are_not_run(run, name: str, hint: str, tmp_path, monkeypatch) -> None:
+    (tmp_path / name).write_text("print('it runs')\n")
+    monkeypatch.chdir(tmp_path)
+    for given in (tmp_path / name, f"./{name}", *([name] if hint else [])):
+        words = f"expected a scene file, with a name in .py{hint}"
+        assert refused(run, "solve", given) == f"nonsmooth: {Path(given)}: {words}\n"
+    with pytest.raises(ns.SceneFileError, match="expected a scene file"):
+        ns.equations("ck-tau", scene=f"./{name}")
+
+
 def test_bytes_that_are_no_text(run, tmp_path: Path) -> None:
     path = tmp_path / "ball.py"
     path.write_bytes(b"\xff\xfe\x00")

@@ -16,25 +16,36 @@ if TYPE_CHECKING:
 #: The name that a scene file assigns its scene to.
 NAME = "SCENE"
 
+#: Endings of other files that are given in its place, and how these are given.
+OTHERS = {
+    ".toml": "a case file is given by --case",
+    ".json": "a saved orbit is given by --from-orbit of branch, or read by load",
+    ".nc": "a saved orbit is given by --from-orbit of branch, or read by load",
+}
+
 
 def is_path(text: str) -> bool:
-    """Whether a text is the path of a scene file, and not the name of a scene.
+    """Whether a text is the path of a file, and not the name of a scene.
 
     Examples
     --------
     >>> is_path("impact"), is_path("./impact"), is_path("impact.py")
     (False, True, True)
     """
-    return text.endswith(".py") or any(q in text for q in (os.sep, os.altsep) if q)
+    return text.endswith((".py", *OTHERS)) or any(q in text for q in (os.sep, os.altsep) if q)
 
 
 def text_of(path: Path) -> bytes:
     """Return the bytes of a scene file.
 
-    A `SceneFileError` is raised if it does not exist or cannot be read.
+    A `SceneFileError` is raised if its name has another ending, it does not exist or cannot be
+    read.
     """
     if path.is_dir():
         raise SceneFileError(f"{path}: a folder, expected a scene file")
+    if path.suffix != ".py":
+        hint = f"; {OTHERS[path.suffix]}" if path.suffix in OTHERS else ""
+        raise SceneFileError(f"{path}: expected a scene file, with a name in .py{hint}")
     try:
         return path.read_bytes()
     except FileNotFoundError:
