@@ -62,6 +62,9 @@ def switches(scene: SceneData) -> tuple[Switch, ...]:
     of_cell = []
     for left, right, sign in _sides(scene):
         k = _order(scene, left, right, sign, {})
+        if k is None and left.name == right.name:
+            words = "it follows itself, and nothing changes where it ends; is a phase missing?"
+            raise SceneError(f"phase {right.name}: {words}")
         if k is None:
             raise SceneError(
                 f"phase {right.name}: its motion is that of {left.name}; nothing changes"

@@ -238,7 +238,7 @@ WHOLE = [
     (lambda: scene(scales={"length": 0}), "scales 'length': got 0"),
     (
         lambda: scene(phase={"ends": Event(x - g)}, parameters=PARAMETERS[:-1]),
-        "phase flight: its motion is that of flight; nothing changes",
+        "phase flight: it follows itself, and nothing changes where it ends; is a phase",
     ),
     (
         lambda: belt(

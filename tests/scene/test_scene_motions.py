@@ -118,7 +118,7 @@ MISTAKES = [
     ),
     (
         lambda: several(motions={"one": (replace(FLIGHT, ends=Event(x - g)),)}),
-        "motion one: phase flight: its motion",
+        "motion one: phase flight: it follows itself",
     ),
     (lambda: scene(ends={"demands": {"fast": v**2 - g}}), "phase flight: ends: demand 'fast'"),
     (
