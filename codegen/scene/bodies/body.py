@@ -127,7 +127,7 @@ class Body:
         arrays: dict[str, Entries] = {}
         size = _size(self.M)
         for name in ("M", "C", "K"):
-            if getattr(self, name) is not None:
+            if name == "K" or getattr(self, name) is not None:
                 arrays[name] = entries(f"body: {name}", getattr(self, name), (size, size))
         if self.C is not None and self.ratio is not None:
             raise SceneError("body: got C and ratio, expected one of them")
@@ -172,9 +172,15 @@ def _size(mass: Any) -> int:
     """Return the number of degrees of freedom of a mass matrix."""
     shape = np.shape(mass if hasattr(mass, "shape") else _array("body: M", mass))
     if len(shape) != 2 or shape[0] != shape[1] or not shape[0]:
-        size = " x ".join(map(str, shape)) or "1"
-        raise SceneError(f"body: M: got {size} entries, expected a square matrix")
+        raise SceneError(f"body: M: got {_found(mass, shape)}, expected a square matrix")
     return int(shape[0])
+
+
+def _found(value: Any, shape: tuple[int, ...]) -> str:
+    """Return in words what was given in place of a matrix: its size, or its type."""
+    if np.shape(value):
+        return f"{' x '.join(map(str, shape))} entries"
+    return f"{value!r:.40} of type {type(value).__name__}"
 
 
 def _array(field_: str, value: Any) -> npt.NDArray[Any]:
@@ -205,8 +211,8 @@ def entries(field_: str, value: Any, shape: tuple[int, int]) -> Entries:
         rows, columns = np.nonzero(flat != 0 if flat.dtype == object else flat)
         values = flat[rows, columns]
     if tuple(extent) != shape:
-        size = " x ".join(map(str, extent))
-        raise SceneError(f"{field_}: got {size} entries, expected {shape[0]} x {shape[1]}")
+        expected = f"{shape[0]} x {shape[1]}"
+        raise SceneError(f"{field_}: got {_found(value, extent)}, expected {expected}")
     places = np.asarray(rows, dtype=np.int64), np.asarray(columns, dtype=np.int64)
     return Entries(shape, *places, _values(field_, np.asarray(values)))
 

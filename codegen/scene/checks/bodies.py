@@ -55,9 +55,11 @@ def _check_symmetric(name: str, matrix: Entries) -> None:
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     full = sparse.coo_array((matrix.values, (matrix.rows, matrix.columns)), matrix.shape)
-    asymmetry = np.abs((full - full.T).data).max(initial=0.0)
-    if asymmetry > ROUNDING * np.abs(matrix.values).max(initial=0.0):
-        raise SceneError(f"body: {name}: it is not symmetric, by {asymmetry:.3g}")
+    asymmetry, largest = (np.abs(q).max(initial=0.0) for q in ((full - full.T).data, full.data))
+    if asymmetry > ROUNDING * largest:
+        by = f"by {asymmetry / largest:.2g} of the largest entry"
+        use = f"if this is rounding, use ({name} + {name}.T)/2"
+        raise SceneError(f"body: {name}: it is not symmetric, {by}; {use}")
 
 
 def _check_positive(matrix: Entries) -> None:
