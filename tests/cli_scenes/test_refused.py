@@ -51,6 +51,8 @@ REFUSED = {
         ("impact --method c0-tao", "did you mean ck-tau?"),
         ("impact --gab 1", "impact has no --gab. Did you mean --gap?"),
         ("impact --belt-speed 1", "has no --belt-speed. It has --mass, --damping,"),
+        ("impact --motion xx", "--motion: impact has one motion, which needs no name"),
+        ("dry-friction --motion xx", "expected one of sliding, two-stops"),
         ("impact --ordre 1", "Did you mean --order?"),
         ("impact --gap x", "'--gap': 'x' is not a valid float"),
         ("impact --restitution 2", "restitution: got 2.0, expected a"),

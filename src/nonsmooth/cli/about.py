@@ -232,6 +232,8 @@ def no_such_option(error: click.NoSuchOption) -> str:
     if getattr(command, "default", "") is None:  # it is about nothing as yet
         expected = "expected STRUCTURE before it, or a case file with a table of one"
         return f"{error.option_name}: {expected}"
+    if error.option_name == "--motion" and about and not getattr(about.about, "motions", True):
+        return f"--motion: {about.about.name} has one motion, which needs no name"
     of_what = f"{about.about.name} has no {error.option_name}." if about else error.message
     if meant:
         *others, last = meant
