@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..arrays import Complex, Matrix, Vector
+from ..arrays import Complex, Matrix, Vector, real_numbers
 from ..iteration.newton import Outcome
 from ..kernels.kernel import Kernel
 from ..scenes.case import Case
@@ -230,9 +230,9 @@ class Motion:
 
     def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
         """Return a derivative of the displacement at times in s, in SI units."""
-        times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
+        times = real_numbers(t)
         if not np.isfinite(times).all():
-            raise ValueError(f"t: got {t!r}, expected finite times in s")
+            raise ValueError(f"t: got {t!r:.80}, expected finite times in s")
         within = np.mod(times.ravel(), self._switches[-1])
         within[within >= self._switches[-1]] = 0.0  # of a tiny negative number
         which = np.searchsorted(self._switches, within, side="right") - 1

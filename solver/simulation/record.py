@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..arrays import Vector
+from ..arrays import Vector, real_numbers
 from ..flow import flow
 from ..presentation.documents import SCHEMA
 from ..presentation.notebook import of_rows
@@ -207,7 +207,7 @@ class Simulation(Tabular):
         return q.motion(s, self.case.cell.omega, number) * units.of_motion(number)
 
     def _at(self, t: npt.ArrayLike, number: int) -> Vector:
-        times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
+        times = real_numbers(t)
         slack = ROUNDING * self.time
         if not ((times >= -slack) & (times <= self.time + slack)).all():
             raise ValueError(f"t: got {t!r:.80}, expected times from 0 to {self.time:.6g} s")

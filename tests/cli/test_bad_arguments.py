@@ -52,7 +52,7 @@ def test_numbers_of_numpy_are_numbers() -> None:
     assert ns.solve(belt, tol=np.float32(1e-6)).method == "ck-tau"  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("times", [1j, [0.1 + 1j], np.array([0.1 + 0j])])
+@pytest.mark.parametrize("times", [1j, [0.1 + 1j], np.array([0.1 + 0j]), "a"])
 def test_times_that_are_not_real(times: object) -> None:
     orbit = ns.exact(ns.StickSlip(**GOOD))
     with pytest.raises(ValueError, match=r"t: got .*, expected finite times"):

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -112,6 +113,15 @@ def test_what_is_not_there(suffix: str, tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError) as refusal:
         ns.save(thing("orbit"), path)
     assert refusal.value.filename == str(path)
+
+
+@pytest.mark.parametrize("path", [None, 3, b"orbit.json", ["orbit.json"]])
+def test_what_is_no_name_of_a_file(path: object) -> None:
+    expected = re.escape(f"path: got {path!r}, expected the name of a file")
+    with pytest.raises(TypeError, match=expected):
+        ns.save(thing("orbit"), path)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=expected):
+        ns.load(path)  # type: ignore[arg-type]
 
 
 def test_a_failed_save_leaves_the_old_file(tmp_path: Path, monkeypatch) -> None:

@@ -242,7 +242,7 @@ def test_times_that_are_rounded_at_an_end_are_of_the_motion() -> None:
     assert times[-1] > motion.time
     assert motion.displacement(times)[-1] == motion.displacement(motion.time)
     assert motion.velocity(-1e-15) == motion.velocity(0.0)
-    for t in (-1e-12, motion.time * (1 + 1e-13), math.nan, 1j):
+    for t in (-1e-12, motion.time * (1 + 1e-13), math.nan, 1j, "a", [[0.0], [0.0, 1.0]]):
         with pytest.raises(ValueError, match="expected times from 0 to"):
             motion.displacement(t)
 

@@ -6,6 +6,7 @@ Numbers are in SI units, and every file says with which version and which mathem
 made.  Modes are written alike, and computed anew, not loaded.
 """
 
+import os
 import reprlib
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
@@ -44,7 +45,8 @@ def save(thing: Any, path: str | Path) -> None:
     FileError
         A `ValueError`: if the name ends otherwise, or a library for netCDF is not installed.
     TypeError
-        If `thing` cannot be saved, or is a sequence that is empty or of several kinds.
+        If `thing` cannot be saved, or is a sequence that is empty or of several kinds, or
+        `path` is not the name of a file.
     OSError
         If the file cannot be written; no part of it is left behind.
 
@@ -57,7 +59,7 @@ def save(thing: Any, path: str | Path) -> None:
     ...     ns.load(f"{folder}/orbit.json") == orbit
     True
     """
-    target = Path(path)
+    target = _named(path)
     suffix = _suffix(target)
     kind, several = kind_of(thing)
     with whole(target) as temporary:
@@ -98,10 +100,12 @@ def load(path: str | Path, scene: object = None) -> Any:
         another kind or scene, or was computed with other equations.
     SceneFileError
         A `ValueError`: if `scene` is a file that does not define a scene.
+    TypeError
+        If `path` is not the name of a file.
     OSError
         If the file cannot be read.
     """
-    source = Path(path)
+    source = _named(path)
     suffix = _suffix(source)
     with source.open("rb"):  # a missing file is an OSError for every kind
         pass
@@ -116,6 +120,13 @@ def load(path: str | Path, scene: object = None) -> Any:
     with refused(source):
         netcdf.check_same(file, netcdf.arrays_of(*kind_of(loaded)))
     return loaded
+
+
+def _named(path: object) -> Path:
+    """Return the path of a file; a `TypeError` if it is no name of one."""
+    if not isinstance(path, str | os.PathLike):
+        raise TypeError(f"path: got {path!r:.80}, expected the name of a file")
+    return Path(path)
 
 
 def _suffix(path: Path) -> str:
