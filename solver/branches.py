@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from ..nearest import counted
 from .beside import Expansion
 from .branch.branch import BothWays, Bounds, go, start_of
 from .branch.every_way import Seen, Start, every_way, motions_for_ever
@@ -179,7 +180,7 @@ def _check_start(case: Case, parameter: str, own: Case) -> None:
 
 
 def _interrupted(done: list[Branch]) -> Interrupted:
-    return Interrupted(done, f"{sum(map(len, done))} orbits are found")
+    return Interrupted(done, f"{counted(sum(map(len, done)), 'orbit')} found")
 
 
 def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:

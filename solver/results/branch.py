@@ -3,7 +3,7 @@
 from dataclasses import asdict, dataclass
 from typing import Any, ClassVar
 
-from ...nearest import in_short
+from ...nearest import counted, in_short
 from .family import Family
 
 
@@ -68,7 +68,8 @@ class Branch(Family):
         named = [f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)]
         span = f"{self.parameter} = {values.min():g} to {values.max():g}"
         events = ", ".join(named) or "no event"
-        return f"<branch of {scene.label} along {span}: {len(self)} orbits, {events}>"
+        orbits = counted(len(self), "orbit")
+        return f"<branch of {scene.label} along {span}: {orbits}, {events}>"
 
     def __str__(self) -> str:
         lines = [f"{'event':>14}  {self.parameter:>20}  motion"] if self.events else []

@@ -6,6 +6,7 @@ from typing import Any, ClassVar, overload
 
 import numpy as np
 
+from ...nearest import counted
 from ..arrays import Vector
 from ..in_order import motion_of
 from ..orbit.errors import Errors
@@ -248,10 +249,11 @@ class Family(OfRows):
 
     def __repr__(self) -> str:
         scene, values = self.case.scene, self["value"]
-        orbits = sum(row.status == "ok" for row in self.rows)
+        orbits = counted(sum(row.status == "ok" for row in self.rows), "orbit")
         span = f"{self.parameter} = {values[0]:g} to {values[-1]:g}"
         method = f"{shown(scene, self.method)}, N = {self.order}"
-        return f"<{scene.label} along {span} by {method}: {len(self)} values, {orbits} orbits>"
+        number = counted(len(self), "value")
+        return f"<{scene.label} along {span} by {method}: {number}, {orbits}>"
 
     def __str__(self) -> str:
         ends = f"{'least x':>10}  {'largest x':>10}"

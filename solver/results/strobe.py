@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from ...nearest import counted
 from ..arrays import Integers, Matrix, Vector
 from ..presentation.table import Table, Tabular
 from ..scenes.case import Case
@@ -69,7 +70,8 @@ class Diagram(Tabular):
 
     def __repr__(self) -> str:
         span = f"{self.parameter} = {self.values[0]:g} to {self.values[-1]:g}"
-        return f"<diagram of {self.case.scene.name} along {span}: {len(self)} values>"
+        values = counted(len(self), "value")
+        return f"<diagram of {self.case.scene.name} along {span}: {values}>"
 
 
 @dataclass(frozen=True)
@@ -140,9 +142,9 @@ class Basins(Tabular):
         }
 
     def __repr__(self) -> str:
-        name, starts, count = self.case.scene.name, self.index.size, len(self.attractors)
-        attractors = "attractor" if count == 1 else "attractors"
-        return f"<basins of {name}: {starts} starts, {count} {attractors}>"
+        starts = counted(self.index.size, "start")
+        attractors = counted(len(self.attractors), "attractor")
+        return f"<basins of {self.case.scene.name}: {starts}, {attractors}>"
 
     def __str__(self) -> str:
         lines = [f"{'starts':>8}  attractor"]

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, overload
 
+from ...nearest import counted
 from ..accuracy.rates import Rate, rate
 from ..kernels import registry
 from ..orbit.errors import Errors
@@ -149,9 +150,9 @@ class Sweep(OfRows, Sequence[SweepRow]):
 
     def __repr__(self) -> str:
         names = dict.fromkeys(shown(self.case.scene, row.method) for row in self.rows)
-        orbits = sum(row.status == "ok" for row in self.rows)
+        orbits = counted(sum(row.status == "ok" for row in self.rows), "orbit")
         head = f"sweep of {self.case.scene.label} by {', '.join(names)}"
-        return f"<{head}: {len(self)} rows, {orbits} orbits>"
+        return f"<{head}: {counted(len(self), 'row')}, {orbits}>"
 
     def __str__(self) -> str:
         lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'times':>9}  {'jump':>9}  estimate"]

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ...nearest import counted
 from ..arrays import Vector, real_numbers
 from ..flow import flow
 from ..presentation.documents import SCHEMA
@@ -299,11 +300,10 @@ class Simulation(Tabular):
         return Table(("t",), columns, COURSE | {"force": "N"}, about | dict(self.case.values))
 
     def __repr__(self) -> str:
-        count = len(self.segments)
+        count = counted(len(self.segments), "phase")
         words = f"; ended: {self.ended}" if self.ended else ""
-        s = "s" if count > 1 else ""
         name = self.case.scene.name
-        return f"<{name} simulated for {self.time:.6g} s: {count} phase{s}{words}>"
+        return f"<{name} simulated for {self.time:.6g} s: {count}{words}>"
 
     def _repr_html_(self) -> str:
         return of_rows(repr(self), "", self.plot)

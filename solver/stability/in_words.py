@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...nearest import counted
 from ..arrays import Complex
 from .monodromy import NoMultipliersError
 from .stability import ROUNDING
@@ -40,7 +41,7 @@ def in_words(motion: "Motion") -> str:
     name = "multiplier" if len(values) == 1 else "multipliers"
     count = count_shown(values)
     large, smaller = values[:count], len(values) - count
-    less = f" and {smaller} smaller ones" if smaller > 0 else ""
+    less = f" and {counted(smaller, 'smaller one')}" if smaller > 0 else ""
     verdict = VERDICTS[stable]
     if stable is None and (abs(values - 1) <= motion.stability.rounding).any():
         verdict += f"; {NOT_ISOLATED}"

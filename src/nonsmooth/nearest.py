@@ -1,4 +1,7 @@
-"""Names: what an unknown one may have been meant for, and those that occur several times."""
+"""Names: what an unknown one may have been meant for, and those that occur several times.
+
+And what is counted, in words.
+"""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -42,6 +45,17 @@ def one_of(name: object, known: Iterable[str]) -> str:
     meant = nearest(name, names)
     hint = f"; did you mean {' or '.join(meant)}?" if meant else ""
     return f"one of {', '.join(names) or '(none)'}{hint}"
+
+
+def counted(number: int, what: str) -> str:
+    """Return a number and what is counted, in the plural unless there is one.
+
+    Examples
+    --------
+    >>> counted(1, "orbit"), counted(0, "orbit")
+    ('1 orbit', '0 orbits')
+    """
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
 def numbered(names: Sequence[str]) -> list[str]:

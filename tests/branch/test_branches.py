@@ -515,7 +515,7 @@ def test_ctrl_c_keeps_what_was_found(found: ns.Branch, run, monkeypatch, tmp_pat
     assert status == 130
     part = ns.load(path)
     assert 0 < len(part) < len(found)
-    assert f"interrupted: {len(part)} orbits are found" in err
+    assert f"interrupted: {len(part)} orbits found" in err
 
 
 def test_ctrl_c_keeps_the_orbits_that_were_found(monkeypatch) -> None:

@@ -34,6 +34,14 @@ def test_a_line_says_what_matters(kind: str) -> None:
     assert repr(found) == LINES[kind].format(*durations, **values)
 
 
+def test_one_is_not_several() -> None:
+    case = ns.scene("impact")(gap=0.2)
+    sweep, family = ns.sweep(case, "ck", orders=[6]), ns.family(case, "gap", [0.2], "ck", 6)
+    assert repr(sweep) == "<sweep of impact by c0: 1 row, 1 orbit>"
+    assert repr(family).endswith("N = 6: 1 value, 1 orbit>")
+    assert repr(ns.diagram(case, "gap", [0.2], 4, 1)).endswith(": 1 value>")
+
+
 def test_the_events_of_a_branch_are_a_line_each() -> None:
     case = ns.scene("impact")(gap=0.5, damping=0.02)
     head, fold, grazing, last = str(ns.branch(case, "frequency", 1.7, 2.6)).splitlines()

@@ -2,6 +2,7 @@
 
 import math
 import os
+from types import SimpleNamespace
 
 import numpy as np
 import one_mass
@@ -351,6 +352,15 @@ def test_words_name_each_pair_once_and_say_where_an_orbit_is_not_isolated() -> N
     assert orbit.stable is None
     assert in_words(orbit).endswith("1: the orbit is not isolated to first order")
     assert "isolated" not in in_words(ns.exact(CLEARANCE(damping=0)))
+
+
+@pytest.mark.parametrize(
+    ("count", "words"),
+    [(8, "0.01: stable"), (9, "0.01 and 1 smaller one: st"), (10, " and 2 smaller ones: st")],
+)
+def test_multipliers_that_are_not_shown_are_counted(count: int, words: str) -> None:
+    values = np.full(count, 0.01 + 0j)
+    assert words in in_words(SimpleNamespace(multipliers=values, stable=True))
 
 
 def test_rounding_of_many_phases_is_not_the_product_of_their_sizes() -> None:

@@ -4,6 +4,7 @@ from functools import cache
 from typing import Any
 
 from nonsmooth.files import csv_rows, documents
+from nonsmooth.nearest import counted
 from nonsmooth.solver.results.strobe import Basins, Diagram
 from nonsmooth.solver.scenes.loaded import LoadedScene
 from nonsmooth.solver.simulation.simulate import simulate
@@ -84,8 +85,9 @@ def _diagram(
         arguments = transient, cycles, lambda value: advance(f"{along.flag} = {value:g}")
         result = diagram(case, along.parameter, values_of(along), *arguments)
     ended = sum(not len(states) for states in result.states)
-    summary = f"{result!r}, {sum(map(len, result.states))} states"
-    summary += f"; at {ended} values the motion ends before they are seen" if ended else ""
+    summary = f"{result!r}, {counted(sum(map(len, result.states)), 'state')}"
+    at = f"; at {counted(ended, 'value')} the motion ends before they are seen"
+    summary += at if ended else ""
     head = captions.caption(result.case, along)
     return _written(to, result, (head, summary), "simulations.diagram_figure")
 
