@@ -131,6 +131,9 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
     off = _off(equations, equations.given(case, order), z)
     allowed = RESIDUAL * max(1.0, float(np.abs(z).max()))
     checks.check(off <= allowed, f"an orbit that does not satisfy its equations, by {off:.1e}")
+    checks.not_negative("iterations", document["iterations"])
+    for name in ("iterations", "correction", "residual_norm"):
+        checks.not_negative(name, outcome[name])
     restored = Outcome(**outcome | {"unknowns": z})
     orbit = case.presented(
         Orbit(case, method, order, restored, document["iterations"], functions)
