@@ -174,7 +174,7 @@ def starts(
         if settled.times is None:
             tried.append(settled.words)
         else:
-            yield settled.words, settled.times
+            yield settled.times.words, settled.times
     if undeclared:
         yield from at_hand
 

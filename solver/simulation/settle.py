@@ -244,8 +244,10 @@ def _declared(cell: Cell, again: tuple[Segment, ...]) -> Settled | None:
         return None
     if cell.forced and abs(sum(q.s for q in segments) - cell.duration) > NEAR:
         return None
-    words = f"a simulation settles on {', '.join(q.phase.name for q in segments)}"
-    return Settled(RoughTimes(tuple(q.s for q in segments), segments[0].angle, words), words)
+    names = ", ".join(q.phase.name for q in segments)
+    where = f"a simulation that settles on {names}"
+    times = RoughTimes(tuple(q.s for q in segments), segments[0].angle, where)
+    return Settled(times, f"a simulation settles on {names}")
 
 
 def _other(cell: Cell, again: tuple[Segment, ...]) -> Settled:

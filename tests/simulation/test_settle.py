@@ -13,7 +13,7 @@ from reached import EVERY_RUN, IMPACT, REACHED
 from shown import ROOT
 
 import nonsmooth as ns
-from nonsmooth.solver.exact import _by_half, exact_orbit
+from nonsmooth.solver.exact import _by_half, exact_orbit, starts
 from nonsmooth.solver.flow import flow
 from nonsmooth.solver.in_order import cases_in_order, settled_cases
 from nonsmooth.solver.kernels import registry
@@ -162,6 +162,8 @@ def test_a_transient_is_followed_as_long_as_the_damping_lets_it_last() -> None:
     assert (short.times, short.words) == (None, "a simulation of 100 cycles does not settle")
     (found,) = rough_times_by_simulation(case)
     assert found.words == "a simulation settles on elastic, plastic"
+    (start,) = [words for words, _ in starts(case, (), [])]  # behind "from" in a reason
+    assert start == "a simulation that settles on elastic, plastic"
     orbit = exact_orbit(
         case, [s * case.units.time for s in found.times.durations], found.times.angle
     )
