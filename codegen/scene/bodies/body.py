@@ -95,7 +95,7 @@ class Body:
         The vector ``w`` of each contact, whose displacement is ``w^T q``.  ``body.at["tip"]``
         has the symbols ``x``, ``v``, ``a`` and ``force`` for laws, events and demands.
     forcing : array_like, shape (n,), optional
-        Amplitudes of the force on each degree of freedom in N.
+        Amplitudes of the force on each degree of freedom in N, all in phase.
     C : array_like, shape (n, n), optional
         Damping in N s/m, of any form; or
     ratio : float or Symbol, optional
