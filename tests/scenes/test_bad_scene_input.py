@@ -65,7 +65,7 @@ def test_whole_numbers_of_numpy_are_cycles() -> None:
     [
         (("dry-friction", "--motion", "two-stop"), "--motion: got 'two-stop', expected one of"),
         (("dry-friction", "--motion", "two-stop"), "did you mean two-stops?"),
-        (("impact", "--motion", "sliding"), "impact has no --motion"),
+        (("impact", "--motion", "sliding"), "--motion: impact has one motion"),
         (("stick-slip-damped", "--cycles", 2), "has no --cycles"),
         (("backlash", "--cycles", 2), "--cycles: got 2, expected an odd number"),
     ],
