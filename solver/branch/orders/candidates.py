@@ -3,7 +3,7 @@
 A phase of duration zero is inserted or removed, by the rules of which phase may follow another.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import islice
 
@@ -255,12 +255,16 @@ class AtEvent:
     def _cut(self, new: list[Slot], rest: Slot, angle: float) -> Iterator[Candidate]:
         """Yield orders for a motion that never ended, cut where it touches a surface."""
         grows = 0 if new else None
-        for step in self.steps:
+        for step in self.steps if self._symmetric(q.step for q in (*new, rest)) else ():
             other = image(self.machine.cell, new[0].step if new else step)
             if self._alike(step, rest.step) and other is not None and self._may(step, other):
                 half = Slot(step, rest.state, rest.s / 2)
                 yield Candidate((*new, half), True, angle, grows)
         yield Candidate((*new, rest), False, angle, grows)
+
+    def _symmetric(self, steps: Iterable[Step]) -> bool:
+        """Whether the mirror image of each phase is a phase of the scene."""
+        return all(image(self.machine.cell, step) is not None for step in steps)
 
     def _alike(self, one: Step, other: Step) -> bool:
         """Whether two phases have the same law."""
