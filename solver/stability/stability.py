@@ -1,12 +1,13 @@
 """The Floquet multipliers of an orbit, its stability, and their rounding errors."""
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Complex
+from ..arrays import Complex, Matrix
 from ..scenes.cell import Cell
 from .cell_map import lasting
 from .monodromy import Monodromy, NoMultipliersError, monodromy
@@ -124,11 +125,22 @@ def _rounding(of_cell: Monodromy, values: Complex, j: int) -> float:
     distance = np.abs(np.delete(values, j) - values[j]).min(initial=np.inf)
     if distance <= np.sqrt(error):
         return float(np.sqrt(error))
-    shift = values[j] + min(error, BESIDE * distance)
-    inverse = np.linalg.inv(of_cell.matrix - shift * np.eye(len(values)))
+    inverse = _inverse(of_cell.matrix, values[j], min(error, BESIDE * distance))
     left = right = np.cos(np.arange(1.0, 1 + len(values)))  # without symmetry
     for _ in range(ITERATIONS):
         left, right = left @ inverse, inverse @ right
         left, right = left / np.abs(left).max(), right / np.abs(right).max()
     product = abs(left @ right)
     return ROUNDING * float(np.abs(left) @ of_cell.size @ np.abs(right)) / float(product)
+
+
+def _inverse(matrix: Matrix, value: complex, aside: float) -> Complex:
+    """Return the inverse of a matrix less a number beside an eigenvalue.
+
+    Farther aside if that is singular: with large entries, an eigenvalue is off by rounding.
+    """
+    while True:
+        with suppress(np.linalg.LinAlgError):
+            shift = (value + aside) * np.eye(len(matrix))
+            return np.asarray(np.linalg.inv(matrix - shift), dtype=complex)
+        aside *= 2

@@ -376,3 +376,15 @@ def test_multipliers_of_which_nothing_is_left_are_stable() -> None:
     matrix = np.array([[0.0, 8.373540013977102e-273], [-8.373540013977103e-269, 0.0]])
     found = of_monodromy(CLEARANCE().cell, Monodromy(matrix, 1e5 * np.abs(matrix), 0))
     assert found.stable
+
+
+def test_a_multiplier_of_a_matrix_of_large_entries_may_be_all_rounding() -> None:
+    """The number beside the eigenvalue is one itself; in 40 digits the bound is 0.50811025."""
+    entries = [
+        [-161725.60673944774, -110545.10166328604],
+        [236603.29215145778, 161726.61529649256],
+    ]
+    size = [[935972.3022492512, 639769.7643071994], [909210.0975595993, 621476.8625348944]]
+    found = of_monodromy(CLEARANCE().cell, Monodromy(np.array(entries), np.array(size), 0))
+    assert found.rounding == pytest.approx(0.50811025, rel=1e-5)
+    assert found.stable is None
