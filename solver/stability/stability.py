@@ -143,4 +143,4 @@ def _inverse(matrix: Matrix, value: complex, aside: float) -> Complex:
         with suppress(np.linalg.LinAlgError):
             shift = (value + aside) * np.eye(len(matrix))
             return np.asarray(np.linalg.inv(matrix - shift), dtype=complex)
-        aside *= 2
+        aside = max(2 * aside, float(np.finfo(float).tiny))
