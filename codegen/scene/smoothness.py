@@ -54,6 +54,8 @@ class Switch:
 def switches(scene: SceneData) -> tuple[Switch, ...]:
     """Return the switches of a cell, that at the begin of the first phase first.
 
+    Between phases with different demands that hold the velocity alike, k is `HIGHEST`.
+
     Raises
     ------
     SceneError
@@ -65,11 +67,11 @@ def switches(scene: SceneData) -> tuple[Switch, ...]:
         if k is None and left.name == right.name:
             words = "it follows itself, and nothing changes where it ends; is a phase missing?"
             raise SceneError(f"phase {right.name}: {words}")
-        if k is None:
+        if k is None and (right.held is None or right.demands == left.demands):
             raise SceneError(
                 f"phase {right.name}: its motion is that of {left.name}; nothing changes"
             )
-        of_cell.append(Switch(left.name, right.name, k))
+        of_cell.append(Switch(left.name, right.name, HIGHEST if k is None else k))
     return tuple(of_cell)
 
 

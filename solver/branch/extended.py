@@ -12,7 +12,7 @@ where the phase begins without speed (see `along.divided_phases`).
 Plain Python, or compiled by numba with the exact equations.
 """
 
-from math import copysign, isfinite, pi, sqrt
+from math import copysign, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -46,6 +46,9 @@ CORRECTIONS, SMALL, FALL = 8, 1e-9, 0.5
 
 #: Size of a first correction that may be rounding, so that the second is as large.
 BARELY = 1e-12
+
+#: Size of a correction from which Newton's method does not come back; series overflow there.
+ASTRAY = 1e6
 
 #: If a correction is at most `NEAR`, and at most `FAST_FALL` times the one before, the next is
 #: by the same Jacobian.
@@ -245,7 +248,7 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
             if not factorise(J, rows):
                 return False, fall
         before, size = size, newton_step(y, step, J, rows, scales, along[4])
-        if not isfinite(size):
+        if not size < ASTRAY:
             return False, fall
         if turn == 1 and before > BARELY:
             fall = size / before

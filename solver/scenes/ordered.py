@@ -188,11 +188,11 @@ class OrderedScene(LoadedScene):
         cell = in_cell(self.base.cell(numbers), self.order)
         cell = replace(cell, classes=classes(cell))
         for p, k in enumerate(cell.classes):
-            if k == HIGHEST:
-                before, after = cell.phases[p - 1].name, cell.phases[p].name
+            before, after = cell.phases[p - 1], cell.phases[p]
+            if k == HIGHEST and not (after.held and before.demands != after.demands):
                 raise UnknownScene(
-                    f"phases: got {self.motion}, but nothing changes where {before} ends and "
-                    f"{after} begins"
+                    f"phases: got {self.motion}, but nothing changes where {before.name} ends "
+                    f"and {after.name} begins"
                 )
         return cell
 

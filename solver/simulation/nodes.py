@@ -43,8 +43,19 @@ class Node:
 
     @cached_property
     def law(self) -> tuple[object, ...]:
-        """What determines the motion: phases with the same differ in what ends them."""
-        return *self.phase.equation, self.phase.speed
+        """What determines the motion: phases with the same differ in what ends them.
+
+        In held phases other forces may hold the velocity: their demands belong to it.
+        """
+        own = *self.phase.equation, self.phase.speed
+        return (*own, self._held_while) if self.phase.held else own
+
+    @cached_property
+    def _held_while(self) -> frozenset[tuple[int, bool]]:
+        """The surface of each demand, and on which side of it the demand holds."""
+        forms = (form for _, form in self.phase.demands)
+        sides = (next((q > 0 for q in form if q), True) for form in forms)
+        return frozenset(zip(self.demands, sides, strict=True))
 
     @property
     def jumps(self) -> bool:

@@ -140,7 +140,8 @@ def check_neighbours(phase: Phase, after: Phase, sign: int) -> None:
     if after.held is None:
         return
     field, speed = f"phase {phase.name}", sign * sp.sympify(after.held)
-    law, before = sp.sympify(phase.ends.jump.get(v, v)), fixed(phase, v)
+    before = fixed(phase, v) if phase.held is None else phase.held
+    law = sp.sympify(phase.ends.jump.get(v, v))
     if sp.simplify(law.subs(v, v if before is None else before) - speed) != 0:
         where, got, expected = (
             ("jump", law, speed) if phase.ends.jump else ("ends", phase.ends.zero, v - speed)

@@ -4,16 +4,22 @@ A phase of duration zero is inserted or removed, by the rules of which phase may
 """
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
 
 import numpy as np
 
 from ...scenes.orders import Order, Step, image
+from ...scenes.parameter_error import ParameterError
 from ...simulation.followers import may_follow
+from ...simulation.machine import Machine
 from ..course import ROUNDING, Course
 from ..locate import Found
 from ..watch import END, LEAST, START, WITHIN
+
+#: How far beside an event its rules and surfaces are looked at, as a part of an interval.
+BESIDE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -271,4 +277,17 @@ class AtEvent:
         return self.machine.node(one).law == self.machine.node(other).law
 
     def _may(self, one: Step, other: Step) -> bool:
-        return may_follow(self.machine, one, other)
+        """Whether a phase may follow another at the event, or a little beside it.
+
+        At the event a demand behind a switch in a known place may vanish.
+        """
+        return any(may_follow(machine, one, other) for machine in self._machines())
+
+    def _machines(self) -> Iterator[Machine]:
+        """Yield the rules at the event, and a little beside it to either side."""
+        yield self.machine
+        for aside in (BESIDE, -BESIDE):
+            y = self.event.place.y.copy()
+            y[-1] += aside
+            with suppress(ParameterError):  # there is no such oscillator
+                yield self.course.machine(self.event.piece.numbers(y))

@@ -17,8 +17,8 @@ from ..course import Course
 from ..for_ever import for_ever
 from ..locate import Found
 from ..meeting import halves_apart
-from ..piece import NoStepError, Piece, Place
-from .candidates import AtEvent, Candidate
+from ..piece import NoStepError, Piece, Place, unit_of
+from .candidates import BESIDE, AtEvent, Candidate
 
 #: Durations tried for an inserted phase, as parts of a cell, or steps tried along the branch.
 #: The last is for chatter, where a fold is as close.
@@ -110,9 +110,10 @@ def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Pie
     at_s = len(z) - count - forced
     if candidate.grows is not None:
         z[at_s + candidate.grows] = ahead * z[at_s : at_s + count].sum()
-    unknowns = np.append(z, piece.number(event.place.y))
-    bare = Piece.at(course, piece.case, piece.index, piece.bounds, unknowns, ())
-    y = bare.of_number(unknowns)
+    number = piece.number(event.place.y)
+    beside = np.append(z, number + _beside(piece, number))
+    bare = Piece.at(course, piece.case, piece.index, piece.bounds, beside, ())
+    y = bare.of_number(np.append(z, number))
     if candidate.grows is not None:
         border = np.zeros(len(y))
         border[at_s + candidate.grows] = 1.0
@@ -125,6 +126,12 @@ def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Pie
             y_aside = bare.corrected(y + distance * border / bare.along.weights, border)
             return _admitted(bare, y_aside, distance * border)
     raise NoStepError
+
+
+def _beside(piece: Piece, number: float) -> float:
+    """Return the way to a value beside an event: at it two surfaces may be one by chance."""
+    ends = (bound / unit_of(piece.case, piece.index) - number for bound in piece.bounds)
+    return BESIDE * max(ends, key=abs)
 
 
 def _near(bare: Piece, y: Vector, border: Vector, most: float) -> Vector:

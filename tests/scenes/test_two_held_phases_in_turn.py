@@ -1,0 +1,127 @@
+"""A mass on a belt sticks, and goes on sticking as it comes to an elastic stop.
+
+Both phases move alike, but friction holds other forces: each has demands of its own.
+"""
+
+import pickle
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+import nonsmooth as ns
+from nonsmooth.codegen.scene import SceneError
+from nonsmooth.scene import Event, Parameter, Phase, Scene, a, v, x
+
+m, k, V, S, K, k_1, g = sp.symbols("m k V S K k_1 g", positive=True)
+c, w = sp.symbols("c w", nonnegative=True)
+SLIDES, FREE, PRESSED = m * a + c * v + k * x - K + w * (V - v), k * x + c * V, k_1 * (x - g)
+MET, STUCK = Event(x - g), Event(v - V)
+
+
+def stick(name: str, load: sp.Expr, demands: Mapping[str, sp.Expr]) -> Phase:
+    holds = {"friction holds": S - load, "either way": S + load}
+    return Phase(name, a, ends=Event(load - S) | MET, demands=holds | demands, held=V)
+
+
+SCENE = Scene(
+    "belt-and-stop",
+    "a belt and a stop",
+    parameters=(
+        Parameter("mass", m, "kg", 1.0, "mass"),
+        Parameter("damping", c, "N s/m", 0.05, "damping"),
+        Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
+        Parameter("belt", V, "m/s", 0.5, "speed of the belt"),
+        Parameter("static", S, "N", 1.0, "static friction"),
+        Parameter("kinetic", K, "N", 0.7, "kinetic friction"),
+        Parameter("weak", w, "N s/m", 0.15, "how it weakens"),
+        Parameter("contact", k_1, "N/m", 4.0, "stiffness of the stop"),
+        Parameter("gap", g, "m", 0.9, "distance of the stop"),
+    ),
+    phases=(
+        stick("stick", FREE, {"before": g - x}),
+        Phase("slip", SLIDES, ends=STUCK | MET, demands={"slower": V - v, "before": g - x}),
+        stick("hold", FREE + PRESSED, {"behind": x - g}),
+        Phase(
+            "slide",
+            SLIDES + PRESSED,
+            ends=STUCK | MET,
+            demands={"slower": V - v, "behind": x - g},
+        ),
+    ),
+)
+BELT, ORDER = ns.scene(SCENE), "slip,stick,hold,slide"
+
+
+def period(values: Mapping[str, float]) -> float:
+    """Return the period by SciPy: sliding from the break-away to the belt's speed, and back."""
+    M, C, k0, belt, static, kinetic, weak, k1, gap = values.values()
+    begin = (static - C * belt) / k0
+    on = begin > gap
+    begin = (static - C * belt + k1 * gap) / (k0 + k1) if on else begin
+    state, passed = np.array([begin, belt]), 0.0
+
+    def rates(_, y):
+        force = kinetic - weak * (belt - y[1]) - C * y[1] - k0 * y[0]
+        return [y[1], (force - k1 * (y[0] - gap) * on) / M]
+
+    def met(_, y):
+        return y[0] - gap
+
+    def stuck(_, y):
+        return y[1] - belt
+
+    stuck.direction, met.terminal, stuck.terminal = 1, True, True
+    while True:
+        met.direction = -1 if on else 1
+        arguments = rates, (0, 100), state, "DOP853"
+        found = solve_ivp(*arguments, events=[met, stuck], rtol=1e-13, atol=1e-14)
+        state, passed, on = found.y[:, -1], passed + found.t[-1], not on
+        if len(found.t_events[1]):
+            return float(passed + (begin - state[0]) / belt)
+
+
+@pytest.mark.parametrize("phases", [None, ORDER])
+@pytest.mark.parametrize(("method", "order"), [("ck-tau", 10), ("ck", 12)])
+def test_the_orbit_has_both(phases, method, order) -> None:
+    """In closed form: the stop is met at its place, and left at the limit of friction."""
+    orbit = ns.solve(BELT(), method, order, phases=phases)
+    assert [q.name.split("_")[0] for q in orbit.phases] == ORDER.split(",")
+    assert orbit.period == pytest.approx(period(BELT().values), rel=1e-10)
+    assert orbit.durations[2] == pytest.approx(
+        ((1 - 0.025 + 4 * 0.9) / 5 - 0.9) / 0.5, rel=1e-9
+    )
+    assert orbit.stable
+    assert orbit.multipliers.tolist() == [0.0]
+    assert pickle.loads(pickle.dumps(orbit)).case == orbit.case
+
+
+def test_a_scene_may_declare_both_in_turn() -> None:
+    by = {phase.name: phase for phase in SCENE.phases}
+    ends = STUCK, MET, Event(FREE + PRESSED - S), MET
+    in_turn = [replace(by[q], ends=e) for q, e in zip(ORDER.split(","), ends, strict=True)]
+    scene = ns.scene(replace(SCENE, name="belt-in-turn", phases=tuple(in_turn)))
+    assert scene.classes == (2, 1, 8, 1)
+    assert ns.solve(scene()).period == pytest.approx(period(scene().values), rel=1e-12)
+    twice = (in_turn[0], in_turn[1], replace(in_turn[1], name="again"), in_turn[3])
+    with pytest.raises(SceneError, match="again: its motion is that of stick; nothing changes"):
+        ns.scene(replace(SCENE, name="belt-twice", phases=twice))
+
+
+@pytest.mark.parametrize("start", [0.85, 1.1])
+def test_a_branch_goes_on_where_friction_yields_at_the_stop(start) -> None:
+    """Where the gap is ``(S - c V) / k``: beyond, the mass slides before the stop behind it."""
+    case = BELT(gap=start)
+    branch = ns.branch(case, "gap", 0.85, 1.1)
+    assert branch.why_it_ended == ("the end of the range",) * 2
+    (event,) = branch.events
+    assert event.parameter == pytest.approx(0.975, rel=1e-12)
+    rows = [row for row in branch if row.value != event.parameter]
+    for row in rows[:: len(rows) // 6]:
+        values = dict(case.values) | {"gap": row.value}
+        assert sum(row.durations) == pytest.approx(period(values), rel=1e-10)
+        assert ("hold" in row.motion) == (row.value < 0.975)
+        assert row.stable
