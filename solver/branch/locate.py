@@ -30,9 +30,13 @@ NEAR = 1e-14
 #: values in turn have not halved it, the rest is rounding.
 SMALL, STALLED = 1e-7, 2
 
-#: Part of a step beside a fold or a flip in which no torus is looked for; least imaginary part
-#: of a complex multiplier, relative.
-SHORT, TURNED = 1e-6, 1e-7
+#: Part of a step beside a fold or a flip in which no torus is looked for; and those tried where
+#: branches meet, next to which no step succeeds.
+SHORT = 1e-6
+SIDES = SHORT, 1e-5, 1e-4, 1e-3
+
+#: Least imaginary part of a complex multiplier, relative.
+TURNED = 1e-7
 
 #: The kinds of events of the orbit as a whole, by the last monitors.
 OF_THE_ORBIT = {FOLD: "fold", FLIP: "flip", MEETS: "branch-point", OUTSIDE: "torus"}
@@ -119,6 +123,8 @@ class Search:
 def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tuple[float, Place]:
     """Return where in a part of a step a monitor vanishes, and the orbit there (Brent).
 
+    Where branches meet, the equations are singular: then between the orbits on either side.
+
     Raises
     ------
     NoStepError
@@ -133,13 +139,18 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
     def of_monitor(place: Place) -> float:
         return float(place.monitors[i])
 
+    own = i - (len(before.monitors) - OWN)
     try:
-        is_count = i - (len(before.monitors) - OWN) == OUTSIDE
-        monitor = beyond_circle(piece, *map(place_at, ends)) if is_count else of_monitor
+        monitor = beyond_circle(piece, *map(place_at, ends)) if own == OUTSIDE else of_monitor
         search = Search.between(*(abs(monitor(place_at(at))) for at in ends))
 
         def value(at: float) -> float:
-            height = monitor(place_at(at))
+            try:
+                height = monitor(place_at(at))
+            except NoStepError:
+                if own != MEETS or at in ends:
+                    raise
+                return 0.0
             if np.isnan(height):  # no orbit there that has it
                 return search.size
             return 0.0 if search.is_over(at, abs(height)) else height
@@ -150,7 +161,49 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
     at = search.at if search.least <= search.small else at
-    return at, place_at(at)
+    try:
+        return at, place_at(at)
+    except NoStepError:
+        low, high = either_side(piece, before, at, ends[1] - ends[0])
+        return _between(low, high, i)
+
+
+def either_side(
+    piece: Piece, before: Place, at: float, length: float
+) -> list[tuple[float, Place]]:
+    """Return the nearest orbits on either side of a place in a step, each with where.
+
+    Raises
+    ------
+    NoStepError
+        If there are none.
+    """
+    for part in SIDES:
+        with suppress(NoStepError):
+            sides = at - part * length, at + part * length
+            return [(side, piece.stepped(before, side)) for side in sides]
+    raise NoStepError
+
+
+def _between(
+    low: tuple[float, Place], high: tuple[float, Place], i: int
+) -> tuple[float, Place]:
+    """Return where between two near orbits a monitor vanishes, and the orbit there, linearly.
+
+    Raises
+    ------
+    NoStepError
+        If it has one sign.
+    """
+    (start, one), (end, other) = low, high
+    first, last = float(one.monitors[i]), float(other.monitors[i])
+    if not first * last < 0:
+        raise NoStepError
+    part = first / (first - last)
+    y, maps = (q + part * (r - q) for q, r in ((one.y, other.y), (one.maps, other.maps)))
+    monitors = one.monitors.copy()
+    monitors[i] = 0.0
+    return start + part * (end - start), replace(one, y=y, monitors=monitors, maps=maps)
 
 
 def estimated(event: Found, after: Place, length: float) -> Found:
@@ -234,9 +287,9 @@ def torus_crossings(
     changes by one, the step is divided.
     """
     monitor = len(before.monitors) - OWN + OUTSIDE
-    ends, beside = [(0.0, before)], SHORT * length
+    ends = [(0.0, before)]
     for at in sorted(real, key=lambda at: at / length):
-        ends += [(q, piece.stepped(before, q)) for q in (at - beside, at + beside)]
+        ends += either_side(piece, before, at, length)
     ends.append((length, after))
     parts = [(*ends[i], *ends[i + 1]) for i in range(0, len(ends), 2)]
     while parts:
