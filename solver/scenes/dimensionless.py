@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -52,6 +53,29 @@ def units_of(
     UnitsError
         Naming the unit or the parameter, and its value.
     """
+    try:
+        rough, near, own = _scales(scene, values)
+    except UnitsError as error:
+        raise UnitsError(f"{error}; {_blamed(scene, values)}") from None
+    mass, length, time = own
+    units = Units(mass * rough[0], time * rough[2], length * rough[1])
+    numbers = tuple(map(lambda v, p: _in_units(v, p, (mass, length, time)), near, scene.powers))
+    for parameter, number in zip(scene.parameters, numbers, strict=True):
+        if not math.isfinite(number):
+            raise UnitsError(f"{parameter.name} in their units is {number!r}, beyond float64")
+    return units, numbers
+
+
+def _scales(
+    scene: "LoadedScene", values: tuple[float, ...]
+) -> tuple[Powers, tuple[float, ...], Powers]:
+    """Return rough units of mass, length and time, parameters in them, and the units in them.
+
+    Raises
+    ------
+    UnitsError
+        If a unit is out of range.
+    """
     rough: Powers = (1.0, 1.0, 1.0)  # of a body, whose formulas have matrices in SI units
     if not scene.has_body:
         rough = _powers_of_four(scene.powers, values)
@@ -59,18 +83,35 @@ def units_of(
     try:
         mass, time, length = map(float, scene.numbers("scales", near))
     except (ZeroDivisionError, OverflowError, ValueError):
-        words = f"their units are beyond float64; {_farthest(scene, values)}"
-        raise UnitsError(words) from None
-    units = Units(mass * rough[0], time * rough[2], length * rough[1])
-    for name, value in vars(units).items():
-        if not (math.isfinite(value) and value >= np.finfo(float).tiny):
-            words = f"their unit of {name} is {value!r}, beyond float64"
-            raise UnitsError(f"{words}; {_farthest(scene, values)}")
-    numbers = tuple(map(lambda v, p: _in_units(v, p, (mass, length, time)), near, scene.powers))
-    for parameter, number in zip(scene.parameters, numbers, strict=True):
-        if not math.isfinite(number):
-            raise UnitsError(f"{parameter.name} in their units is {number!r}, beyond float64")
-    return units, numbers
+        raise UnitsError("their units are beyond float64") from None
+    own = mass, length, time
+    for name, one, other in zip(("mass", "length", "time"), own, rough, strict=True):
+        unit = one * other
+        if not (math.isfinite(unit) and unit >= np.finfo(float).tiny):
+            raise UnitsError(f"their unit of {name} is {unit!r}, beyond float64")
+    return rough, near, own
+
+
+def _blamed(scene: "LoadedScene", values: tuple[float, ...]) -> str:
+    """Return in words a parameter whose default alone would give units.
+
+    Of several that which is farthest from it; if there is none, the farthest of all.
+    """
+
+    def off(i: int) -> float:
+        ratio = abs(values[i]) / abs(scene.parameters[i].default or 1.0)
+        return abs(math.log(ratio)) if ratio else math.inf
+
+    for i in sorted(range(len(values)), key=off, reverse=True):
+        parameter, value = scene.parameters[i], values[i]
+        with suppress(UnitsError, ArithmeticError, ValueError):
+            if value != parameter.default:
+                _scales(scene, (*values[:i], parameter.default, *values[i + 1 :]))
+                name = parameter.name
+                return (
+                    f"{name} = {value!r} makes it so, {name} = {parameter.default!r} does not"
+                )
+    return _farthest(scene, values)
 
 
 def _farthest(scene: "LoadedScene", values: tuple[float, ...]) -> str:

@@ -5,7 +5,10 @@ import math
 import pickle
 
 import pytest
+import sympy as sp
 
+import nonsmooth as ns
+from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scaling import product_of_powers
 from nonsmooth.solver.scenes import loaded
@@ -79,12 +82,30 @@ def test_what_the_scene_requires_is_checked_with_numbers() -> None:
 
 
 def test_units_beyond_float64_are_refused() -> None:
-    with pytest.raises(ParameterError, match=r"unit of length .*; force = 1e-300 is farthest"):
+    with pytest.raises(ParameterError, match=r"unit of length .*; force = 1e-300 makes it so"):
         IMPACT(force=1e-300, mass=1e100)
-    with pytest.raises(ParameterError, match=r"; frequency = 1e-300 is farthest from its"):
+    with pytest.raises(ParameterError, match=r"; frequency = 1e-300 makes it so, frequency ="):
         IMPACT(frequency=1e-300)
     with pytest.raises(ParameterError, match="gap in their units"):
         IMPACT(gap=1e300, force=1e-20)
+
+
+def test_the_parameter_that_leaves_no_unit_is_named_not_the_one_farthest_off() -> None:
+    m, k, W = sp.symbols("m k W", positive=True)
+    c, F = sp.symbols("c F", nonnegative=True)
+    flight = Phase(
+        "flight", m * a + c * v + k * x - F * forcing, ends=Event(x, jump={v: -v / 2})
+    )
+    parameters = (
+        Parameter("mass", m, "kg", 1.0, "mass"),
+        Parameter("damping", c, "N s/m", 0.1, "damping"),
+        Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
+        Parameter("force", F, "N", 0.4, "force"),
+        Parameter("frequency", W, "rad/s", 1.0, "frequency"),
+    )
+    scene = ns.scene(Scene("bouncing", "a mass", parameters, (flight,), frequency=W))
+    with pytest.raises(ParameterError, match=r"; force = 0.0 makes it so, force ="):
+        scene(force=0.0, mass=3.0)
 
 
 @pytest.mark.parametrize(
