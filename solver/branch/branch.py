@@ -15,9 +15,9 @@ from ..scenes.ordered import placed
 from ..scenes.orders import Order, Step
 from .bodies.course import BodyCourse
 from .course import Course
+from .events.locate import Found
 from .follow import CLOSED, PART, Segment, follow, in_units
 from .for_ever import for_ever
-from .locate import Found
 from .meeting import halved, symmetric
 from .orders.change import beyond
 from .piece import NoStepError, Piece, Place

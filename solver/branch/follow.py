@@ -10,8 +10,8 @@ from ..arrays import Vector
 from ..scenes.parameter_error import ParameterError
 from .along import EQUAL
 from .course import Course
-from .events import EDGE, events_in, in_turn, shows_event
-from .locate import Found, estimated
+from .events.in_step import EDGE, events_in, in_turn, shows_event
+from .events.locate import Found, estimated
 from .meeting import meeting, met, shorter
 from .orders.change import begun_anew
 from .piece import NoStepError, Piece, Place, unit_of

@@ -15,7 +15,8 @@ import numpy as np
 from ..arrays import Vector
 from ..scenes.orders import Order, image
 from .course import Course
-from .locate import Found, estimated, root
+from .events.locate import Found, estimated
+from .events.root import root
 from .piece import NoStepError, Piece, Place
 from .walk import FLIP, LEAST_STEP, MOST_STEP, OWN
 

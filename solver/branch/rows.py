@@ -9,7 +9,7 @@ from ..results.family import FamilyRow
 from ..scenes.case import index_of
 from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import of_monodromy
-from .locate import Found
+from .events.locate import Found
 from .piece import Piece, Place
 
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Indices, Vector
+from ..branch.events.locate import TURNED
 from ..branch.follow import CLOSED, RANGE
-from ..branch.locate import TURNED
 from ..branch.walk import FOLD, MEETS, OUTSIDE, OWN, PAIRS
 from ..stability.stability import stability
 from .block import by

@@ -8,8 +8,8 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from ..branch.branch import BothWays
 from ..branch.course import Course, Row
+from ..branch.events.locate import Found
 from ..branch.every_way import every_way
-from ..branch.locate import Found
 from ..branch.piece import Piece, Place
 from ..scenes.case import Case
 from .plane import Bounds

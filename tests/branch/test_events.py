@@ -18,7 +18,7 @@ from shown import ROOT
 
 import nonsmooth as ns
 from nonsmooth.solver.branch.course import Course
-from nonsmooth.solver.branch.events import in_turn
+from nonsmooth.solver.branch.events.in_step import in_turn
 from nonsmooth.solver.branch.piece import NoStepError, Piece
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import are_one, known_orbits

@@ -15,7 +15,7 @@ from ...scenes.parameter_error import ParameterError
 from ...simulation.followers import may_follow
 from ...simulation.machine import Machine
 from ..course import ROUNDING, Course
-from ..locate import Found
+from ..events.locate import Found
 from ..watch import END, LEAST, START, WITHIN
 
 #: How far beside an event its rules and surfaces are looked at, as a part of an interval.

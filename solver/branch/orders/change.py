@@ -14,8 +14,8 @@ from ...scenes.loaded import UnknownScene
 from ...scenes.orders import Order
 from ...scenes.parameter_error import ParameterError
 from ..course import Course
+from ..events.locate import Found
 from ..for_ever import for_ever
-from ..locate import Found
 from ..meeting import halves_apart
 from ..piece import NoStepError, Piece, Place, unit_of
 from .candidates import BESIDE, AtEvent, Candidate

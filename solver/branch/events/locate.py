@@ -1,18 +1,18 @@
 """The events in a step of a branch: where, the orbit there, and the error of the parameter."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cache
-from typing import Any
 
 import numpy as np
 
-from ..arrays import Vector
-from .along import of_velocity, returns
-from .piece import NoStepError, Piece, Place
-from .walk import FLIP, FOLD, MEETS, NEUTRAL, OUTSIDE, OWN
-from .watch import BEGINS
+from ...arrays import Vector
+from ..along import of_velocity, returns
+from ..piece import NoStepError, Piece, Place
+from ..walk import FLIP, FOLD, MEETS, NEUTRAL, OUTSIDE, OWN
+from ..watch import BEGINS
+from .circle import first_leaving, multipliers
+from .root import ROUNDING, either_side, root
 
 #: How far behind the end of a step an event in it is located again, in steps.
 BACK = 1.25
@@ -20,20 +20,8 @@ BACK = 1.25
 #: Value of a monitor at its located root, as a part of its change, beyond which it is a pole.
 ZERO = 1e-6
 
-#: Rounding of monitors without units.
-ROUNDING = 4 * float(np.finfo(float).eps)
-
-#: Tolerance of the root of a monitor, as a part of a step.
-NEAR = 1e-14
-
-#: Where a monitor is this small, as a part of its values at the ends of the step, and so many
-#: values in turn have not halved it, the rest is rounding.
-SMALL, STALLED = 1e-7, 2
-
-#: Part of a step beside a fold or a flip in which no torus is looked for; and those tried where
-#: branches meet, next to which no step succeeds.
+#: Part of a step in which no further torus is looked for.
 SHORT = 1e-6
-SIDES = SHORT, 1e-5, 1e-4, 1e-3
 
 #: Least imaginary part of a complex multiplier, relative.
 TURNED = 1e-7
@@ -84,126 +72,6 @@ class Found:
     def value(self) -> float:
         """The parameter, in SI units."""
         return self.piece.value(self.place.y)
-
-
-@dataclass
-class Search:
-    """The lowest value of a monitor in the search for its root.
-
-    Parameters
-    ----------
-    size, small : float
-        The larger value at the ends; and what is small beside both.
-    at, least : float
-        Where it was lowest, and how low.
-    stalls : int
-        How many values in turn have not halved it.
-    """
-
-    size: float
-    small: float
-    at: float = np.nan
-    least: float = np.inf
-    stalls: int = 0
-
-    @classmethod
-    def between(cls, one: float, other: float) -> "Search":
-        """Return a search from the values at both ends; one of them may be NaN."""
-        return cls(float(np.fmax(one, other)), SMALL * float(np.fmin(one, other)))
-
-    def is_over(self, at: float, value: float) -> bool:
-        """Whether all beyond the next value is rounding."""
-        self.stalls = 0 if value <= self.least / 2 else self.stalls + 1
-        if value < self.least:
-            self.at, self.least = at, value
-        is_settled = self.least <= self.small and self.stalls >= STALLED
-        return value <= ROUNDING * self.size or is_settled
-
-
-def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tuple[float, Place]:
-    """Return where in a part of a step a monitor vanishes, and the orbit there (Brent).
-
-    Where branches meet, the equations are singular: then between the orbits on either side.
-
-    Raises
-    ------
-    NoStepError
-        If it is not found.
-    """
-    from scipy.optimize import brentq  # noqa: PLC0415  (300 ms)
-
-    @cache
-    def place_at(at: float) -> Place:
-        return piece.stepped(before, at) if at else before
-
-    def of_monitor(place: Place) -> float:
-        return float(place.monitors[i])
-
-    own = i - (len(before.monitors) - OWN)
-    try:
-        monitor = beyond_circle(piece, *map(place_at, ends)) if own == OUTSIDE else of_monitor
-        search = Search.between(*(abs(monitor(place_at(at))) for at in ends))
-
-        def value(at: float) -> float:
-            try:
-                height = monitor(place_at(at))
-            except NoStepError:
-                if own != MEETS or at in ends:
-                    raise
-                return 0.0
-            if np.isnan(height):  # no orbit there that has it
-                return search.size
-            return 0.0 if search.is_over(at, abs(height)) else height
-
-        at = float(
-            brentq(value, *ends, xtol=NEAR * max(map(abs, ends)), rtol=NEAR, maxiter=200)
-        )
-    except (ValueError, RuntimeError):  # no change of the sign, or too many trials
-        raise NoStepError from None
-    at = search.at if search.least <= search.small else at
-    try:
-        return at, place_at(at)
-    except NoStepError:
-        low, high = either_side(piece, before, at, ends[1] - ends[0])
-        return _between(low, high, i)
-
-
-def either_side(
-    piece: Piece, before: Place, at: float, length: float
-) -> list[tuple[float, Place]]:
-    """Return the nearest orbits on either side of a place in a step, each with where.
-
-    Raises
-    ------
-    NoStepError
-        If there are none.
-    """
-    for part in SIDES:
-        with suppress(NoStepError):
-            sides = at - part * length, at + part * length
-            return [(side, piece.stepped(before, side)) for side in sides]
-    raise NoStepError
-
-
-def _between(
-    low: tuple[float, Place], high: tuple[float, Place], i: int
-) -> tuple[float, Place]:
-    """Return where between two near orbits a monitor vanishes, and the orbit there, linearly.
-
-    Raises
-    ------
-    NoStepError
-        If it has one sign.
-    """
-    (start, one), (end, other) = low, high
-    first, last = float(one.monitors[i]), float(other.monitors[i])
-    if not first * last < 0:
-        raise NoStepError
-    part = first / (first - last)
-    y, maps = (q + part * (r - q) for q, r in ((one.y, other.y), (one.maps, other.maps)))
-    monitors = one.monitors.copy()
-    monitors[i] = 0.0
-    return start + part * (end - start), replace(one, y=y, monitors=monitors, maps=maps)
 
 
 def estimated(event: Found, after: Place, length: float) -> Found:
@@ -307,40 +175,16 @@ def torus_crossings(
             parts += [(low, start, at, middle), (at, middle, high, end)]
 
 
-def beyond_circle(piece: Piece, one: Place, other: Place) -> Callable[[Place], float]:
-    """Return a monitor of the next multiplier that leaves the unit circle between two orbits.
-
-    It is the modulus less 1 of the largest one that is inside at one of them.  If that is on
-    the circle there, as without damping, the monitor vanishes where it is off by rounding.
-    """
-    k, inside = _first_leaving(one, other)
-    size = abs(multipliers(piece, inside)[k]) - 1
-    least = NEUTRAL if abs(size) <= NEUTRAL else 0.0
-    return lambda place: float(abs(multipliers(piece, place)[k]) - 1 - least)
-
-
-def _first_leaving(one: Place, other: Place) -> tuple[int, Place]:
-    """Return the smaller number of multipliers outside at two orbits, and that orbit."""
-    counts = [place.monitors[len(place.monitors) - OWN + OUTSIDE] for place in (one, other)]
-    return int(min(counts)), (one, other)[int(np.argmin(counts))]
-
-
 def _crosses_as_pair(piece: Piece, place: Place, one: Place, other: Place) -> bool:
     """Whether a multiplier that crosses the unit circle between two orbits is complex.
 
     False as well where it comes back from infinity.
     """
-    k, inside = _first_leaving(one, other)
+    k, inside = first_leaving(one, other)
     value, *sides = (multipliers(piece, each)[k] for each in (place, one, other))
     offsets = [abs(abs(each) - 1) for each in (value, *sides)]
     near = ZERO if abs(abs(multipliers(piece, inside)[k]) - 1) > NEUTRAL else np.sqrt(ZERO)
     return bool(abs(value.imag) > TURNED * abs(value) and offsets[0] <= near * max(offsets))
-
-
-def multipliers(piece: Piece, place: Place) -> Any:
-    """Return the multipliers of a cell, not mirrored, by descending modulus."""
-    values = np.linalg.eigvals(piece.maps(place)[0])
-    return values[np.argsort(-np.abs(values), kind="stable")]
 
 
 def _kind_of_vanishing(piece: Piece, p: int) -> str:

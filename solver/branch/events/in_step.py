@@ -5,10 +5,10 @@ from contextlib import suppress
 
 import numpy as np
 
+from ..piece import NoStepError, Piece, Place
+from ..walk import OUTSIDE, OWN, happens
+from ..watch import END, LEAST, START
 from .locate import Found, by_cubic, located, torus_crossings
-from .piece import NoStepError, Piece, Place
-from .walk import OUTSIDE, OWN, happens
-from .watch import END, LEAST, START
 
 #: Relative distance of two events that are one.
 SAME = 1e-9
