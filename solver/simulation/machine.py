@@ -18,7 +18,7 @@ from ..scenes.cell import Cell
 from ..scenes.classes import generator
 from ..scenes.orders import Step
 from .nodes import InState, Node, nodes
-from .record import Segment
+from .segment import Segment
 from .steps import (
     bounds,
     chatter,

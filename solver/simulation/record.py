@@ -11,85 +11,17 @@ import numpy.typing as npt
 
 from ...nearest import counted
 from ..arrays import Vector, real_numbers
-from ..flow import flow
 from ..presentation.documents import SCHEMA
 from ..presentation.notebook import of_rows
 from ..presentation.table import COURSE, Table, Tabular
 from ..scenes.case import Case
-from ..scenes.cell import Phase
-from ..scenes.orders import Step
-from .lasting import lasts
-from .steps.bounds import window
+from .segment import Segment
 
 #: Index of the force among the quantities of a motion, after x and its two derivatives.
 FORCE = 3
 
 #: Rounding by which a time may lie outside of a motion, relative to its duration.
 ROUNDING = 16 * float(np.finfo(float).eps)
-
-
-@dataclass(frozen=True)
-class Segment:
-    """One phase of a simulated motion, without units.
-
-    Parameters
-    ----------
-    phase : Phase
-        With its memory in numbers; a mirrored phase is the mirror image already.
-    t : Fraction
-        The start: the exact sum of the durations of all phases before.
-    angle : float
-        The angle of the forcing at the start, rounded only once.
-    x, v : float
-        The state at the start, after the switch.
-    s : float
-        The duration.
-    step : Step or None
-        The phase whose event ends it, as a step of an order of phases; None if none does.
-    """
-
-    phase: Phase
-    index: int
-    mirrored: bool
-    t: Fraction
-    angle: float
-    x: float
-    v: float
-    s: float
-    step: Step | None = None
-
-    @property
-    def state(self) -> tuple[float, ...]:
-        """The state at the start, to compare with that of another segment."""
-        return self.x, self.v
-
-    @property
-    def began(self) -> Step:
-        """The phase in which it starts, as a step of an order of phases."""
-        return Step(self.index, self.mirrored)
-
-    @property
-    def named(self) -> Step:
-        """The step of an order of phases: by the event that ended it, if one did."""
-        return self.step or self.began
-
-    def motion(self, s: Vector, omega: float, derivative: int) -> Vector:
-        """Return a derivative of the displacement at local times."""
-        start = np.array([self.x, self.v])
-        return flow.motion(self.phase, start, self.angle, omega, s, derivative)
-
-    def force(self, s: Vector) -> Vector:
-        """Return the force of the first contact at local times; only a body has one."""
-        raise ValueError("force: the motion is that of one mass, expected one of a body")
-
-    def wave(self, omega: float) -> float:
-        """Return the shortest period in the motion; it may be infinite."""
-        return math.pi * window(self.phase, omega)
-
-    def lasts(self, omega: float) -> bool:
-        """Return whether the phase is proven to last for ever; see `lasting`."""
-        x, v = flow.state_at(self.phase, self.x, self.v, self.angle, omega, self.s)
-        return lasts(self.phase, x, v, omega, self.angle + omega * self.s)
 
 
 @dataclass(frozen=True)

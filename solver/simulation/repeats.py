@@ -13,7 +13,7 @@ from ..scenes.cell import Cell
 from .bodies import regime
 from .machine import Machine
 from .machines import machine_of
-from .record import Segment
+from .segment import Segment
 from .simulate import cycle
 
 #: Most cycles in the period of a settled motion.

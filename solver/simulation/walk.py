@@ -6,7 +6,8 @@ from fractions import Fraction
 
 from ..scenes.case import Case
 from .machine import Machine
-from .record import Segment, Simulation
+from .record import Simulation
+from .segment import Segment
 from .steps.chatter import CHATTER, accumulates, end_of
 from .steps.clock import Clock, at_start
 from .steps.column import NONE

@@ -77,7 +77,7 @@ def document(scene: "LoadedScene") -> dict[str, Any]:
 
 def _body(scene: "LoadedScene") -> dict[str, Any]:
     """Return degrees of freedom, contacts, modes and damping of the body of a scene."""
-    from nonsmooth.solver.scenes.bodies.cell import matrices_of  # noqa: PLC0415  (NumPy)
+    from nonsmooth.solver.scenes.bodies.body import matrices_of  # noqa: PLC0415  (NumPy)
 
     ratio, modes = rows(scene.module, "modal")
     return {

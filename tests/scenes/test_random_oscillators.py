@@ -10,8 +10,8 @@ import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
 from nonsmooth.solver.simulation.machine import Machine
+from nonsmooth.solver.simulation.outcome import outcome_of
 from nonsmooth.solver.simulation.record import Simulation
-from nonsmooth.solver.simulation.settle import settled
 from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps.state import State
 from nonsmooth.solver.simulation.walk import Place, follow, walk
@@ -91,7 +91,7 @@ def settles(case, random, simulations, cycles) -> bool:
                 each, machine, Place.first(machine, start), until, PHASES
             )
             motion = Simulation(each, tuple(segments), ended)
-            if settled(each.cell, motion).times is not None:
+            if outcome_of(each.cell, motion).times is not None:
                 return True
     return False
 

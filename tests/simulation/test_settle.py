@@ -25,7 +25,8 @@ from nonsmooth.solver.scenes.orders import Order, Step
 from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.lasting import lasts
 from nonsmooth.solver.simulation.machine import Machine
-from nonsmooth.solver.simulation.settle import Other, rough_times_by_simulation, settled
+from nonsmooth.solver.simulation.outcome import Other, outcome_of
+from nonsmooth.solver.simulation.settle import rough_times_by_simulation
 from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps.state import State
 from nonsmooth.solver.simulation.walk import follow
@@ -141,7 +142,7 @@ def test_what_still_decays_has_not_settled() -> None:
             [(1, 0, 0, 0), (1, 0, 0, 0)],
             demands=[{"beyond 0": (1, 0, 0, 0)}, {"before 0": (-1, 0, 0, 0)}],
         )()
-        return settled(case.cell, ns.simulate(case, (0, 1), cycles=60)).times
+        return outcome_of(case.cell, ns.simulate(case, (0, 1), cycles=60)).times
 
     assert settled_on(0.02) is None
     times = settled_on(0.0)
@@ -158,7 +159,7 @@ def resonant(damping: float, yield_force: float):
 def test_a_transient_is_followed_as_long_as_the_damping_lets_it_last() -> None:
     """It first yields after 128 cycles; before, it is a motion without switches until now."""
     case = resonant(0.008, 120)
-    short = settled(case.cell, ns.simulate(case, cycles=100))
+    short = outcome_of(case.cell, ns.simulate(case, cycles=100))
     assert (short.times, short.words) == (None, "a simulation of 100 cycles does not settle")
     (found,) = rough_times_by_simulation(case)
     assert found.words == "a simulation settles on elastic, plastic"
@@ -222,13 +223,14 @@ def test_what_was_repeated_before_is_not_what_a_motion_settles_on() -> None:
     """The last phase goes on for many cycles, and does not last for ever."""
     case = IMPACT()
     motion = ns.simulate(case, cycles=40)
-    assert settled(case.cell, motion).times is not None
+    assert outcome_of(case.cell, motion).times is not None
     *done, last = motion.segments
     left = replace(motion, segments=(*done, replace(last, s=200.0)))
-    assert settled(case.cell, left).times is None
+    assert outcome_of(case.cell, left).times is None
     changed = replace(done[-1], s=done[-1].s + 2e-3)
     assert (
-        settled(case.cell, replace(motion, segments=(*done[:-1], changed, last))).times is None
+        outcome_of(case.cell, replace(motion, segments=(*done[:-1], changed, last))).times
+        is None
     )
 
 

@@ -1,42 +1,28 @@
 """The cell of a body: its modes and the laws of its contacts, without units."""
 
-import io
-import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
-from ...arrays import Matrix
 from ...bodies.laws import places
-from ...bodies.modal import Modal, at_frequency, damped, modal
-from ...bodies.poles import poles_of
+from ...bodies.modal import Modal
 from ...bodies.switch import impulses
-from ...bodies.systems import BodyError
 from ..cell import Cell, Form, Phase
 from ..dimensionless import Units
 from ..of_module import fields_of_cell, fields_of_phases, form_of
 from ..parameter_error import ParameterError
+from .body import body_of
 
 if TYPE_CHECKING:
     from ..loaded import LoadedScene
-
-#: The file of a body's matrices, in the folder of its scene.
-MATRICES = "body.npz"
 
 #: Entries of a form for the first contact, the forcing and 1; and for each further contact.
 FIRST, OTHER = 6, 4
 
 #: Part of a velocity left behind a jump that turns it, which is rounding.
 GOES_ON = 1e-9
-
-#: Difference of two entries of a symmetric matrix, relative to the largest, that is rounding.
-ROUNDING = 1e-12
-
-#: The least k of a scene whose contact forces do not jump.
-CONTINUOUS = 2
 
 #: Unused coefficients of the equation of one mass.
 NO_EQUATION: Any = {"m": 1.0, "c": 0.0, "k": 0.0, "f": 0.0, "g": 0.0}
@@ -141,7 +127,7 @@ def body_cell(
         for number, powers in zip(numbers, scene.powers, strict=True)
     )
     frequency = fields_of_cell(scene, numbers)["frequency"] or 0.0
-    cell = _under_laws(scene, numbers, _body(scene, values, units, frequency), cycles)
+    cell = _under_laws(scene, numbers, body_of(scene, values, units, frequency), cycles)
     _check_jumps(cell)
     return cell
 
@@ -197,114 +183,3 @@ def _under_laws(
         for laws, jumps, fields in rows
     )
     return BodyCell(phases=phases, cycles=cycles, body=body, **fields_of_cell(scene, numbers))
-
-
-@lru_cache(maxsize=64)
-def _body(
-    scene: "LoadedScene", values: tuple[float, ...], units: Units, frequency: float
-) -> Modal:
-    """Return the body in the units of a case, for parameters in SI units.
-
-    Its modes are computed in units that are powers of two, which change no digit of its
-    matrices.
-    """
-    binary = Units(*(2.0 ** round(math.log2(unit)) for unit in vars(units).values()))
-    try:
-        ratio, modes, entries = _in_numbers(scene, values)
-        if modes is not None and (modes != int(modes) or modes < 1):
-            raise BodyError(f"modes: got {modes!r}, expected a whole number from 1")
-        matrices, count = _matrices(scene, entries, binary), None
-        if modes is not None:
-            count = int(modes)
-        body = damped(_modes(scene, entries, binary, count), ratio)
-        omega = frequency * binary.time / units.time
-        body = at_frequency(body, matrices, omega, count)
-        ratios = (
-            a / b for a, b in zip(*(vars(q).values() for q in (units, binary)), strict=True)
-        )
-        body = body.in_units(*ratios)
-        poles_of(body, frequency)
-        return body
-    except BodyError as error:
-        raise ParameterError([f"body: {error}"]) from None
-
-
-Entries: TypeAlias = tuple[tuple[Any, ...], ...]
-
-
-def _in_numbers(scene: "LoadedScene", values: tuple[float, ...]) -> tuple[Any, Any, Entries]:
-    """Return damping ratio, modes and entries of matrices for parameters in SI units."""
-    try:
-        ratio, modes = scene.numbers("modal", values)
-        entries = tuple((*place, float(q)) for *place, q in scene.numbers("entries", values))
-    except (ArithmeticError, ValueError, TypeError) as error:
-        raise BodyError(f"an entry is no number with these parameters ({error})") from None
-    for name, i, j, value in entries:
-        if not math.isfinite(value):
-            raise BodyError(f"{name}[{i}, {j}]: got {value}, expected a finite number")
-    return ratio, modes, entries
-
-
-def _check_matrix(name: str, matrix: Matrix) -> None:
-    """Check a matrix with parameters in it, of which the scene has checked the defaults."""
-    asymmetry = float(np.abs(matrix - matrix.T).max())
-    if asymmetry > ROUNDING * np.abs(matrix).max():
-        raise BodyError(f"{name}: it is not symmetric with these parameters")
-    try:
-        if name == "M":
-            np.linalg.cholesky(matrix)
-    except np.linalg.LinAlgError:
-        raise BodyError("M: it is not positive definite with these parameters") from None
-
-
-@lru_cache(maxsize=16)
-def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | None) -> Modal:
-    """Return the body in modal coordinates, without forcing frequency and damping ratio.
-
-    A memory, or a force that may jump, excludes a massless compliance at the contact.
-    """
-    matrices = _matrices(scene, entries, units)
-    size = matrices["M"].shape[0]
-    if modes is not None and modes > size:
-        raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
-    jumps = scene.module.CLASS < CONTINUOUS  # whatever the order of the phases
-    return modal(matrices, modes, 1.0, jumps or bool(scene.module.MEMORY))
-
-
-def matrices_of(scene: "LoadedScene") -> Mapping[str, Any]:
-    """Return the arrays of a body's file: shape of each matrix and, if numeric, its entries."""
-    content = None if scene.kept is None else scene.kept[MATRICES]
-    with np.load(scene.folder / MATRICES if content is None else io.BytesIO(content)) as file:
-        return dict(file)
-
-
-@lru_cache(maxsize=4)
-def _matrices(scene: "LoadedScene", entries: Entries, units: Units) -> dict[str, Any]:
-    """Return the matrices of a body as sparse arrays, in given units."""
-    from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
-
-    by_matrix: dict[str, list[tuple[int, int, float]]] = {}
-    for name, i, j, value in entries:
-        by_matrix.setdefault(name, []).append((i, j, value))
-    sizes = {
-        "M": units.mass,
-        "C": units.mass / units.time,
-        "K": units.mass / units.time**2,
-        "forcing": units.mass * units.length / units.time**2,
-        "at": 1.0,
-    }
-    matrices = {}
-    file = matrices_of(scene)
-    for name in (q.removesuffix("_shape") for q in file if q.endswith("_shape")):
-        if name in by_matrix:
-            rows, columns, numbers = map(np.array, zip(*by_matrix[name], strict=True))
-        else:
-            rows, columns, numbers = (
-                file[q] for q in (f"{name}_rows", f"{name}_columns", name)
-            )
-        scaled = np.asarray(numbers, dtype=float) / sizes[name]
-        shape = tuple(map(int, file[f"{name}_shape"]))
-        matrices[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
-        if name in by_matrix and name in ("M", "K"):
-            _check_matrix(name, matrices[name].toarray())
-    return matrices

@@ -7,7 +7,7 @@ import numpy as np
 
 from ...arrays import Matrix, Vector
 from ..lasting import ROUNDING
-from ..record import Segment
+from ..segment import Segment
 from ..steps.rules import Rules
 from .along import Along, along_of, fastest, least
 from .phases import Phases, forms_of, laws_of, poles_of

@@ -363,7 +363,7 @@ MUTANTS = (
     ),
     Mutant(
         "what modes left out answer has no mass, though a force may jump",
-        "solver/scenes/bodies/cell.py",
+        "solver/scenes/bodies/body.py",
         "jumps or bool(scene.module.MEMORY)",
         "False",
         (f"{LARGE}::test_modes_left_out_have_a_mass_where_a_force_may_jump",),

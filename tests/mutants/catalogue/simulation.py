@@ -18,7 +18,7 @@ JOINTS = "tests/scenes/test_memories_of_several_phases.py"
 MUTANTS = (
     Mutant(
         "Newton's method does not start where a motion almost repeats",
-        "solver/simulation/settle.py",
+        "solver/simulation/outcome.py",
         "repeated(cell, motion.segments, ROUGH)",
         "repeated(cell, motion.segments)",
         ("tests/simulation/test_settle.py::test_newton_starts_where_a_motion_almost_repeats",),
@@ -156,7 +156,7 @@ MUTANTS = (
     ),
     Mutant(
         "an order that is its own mirror image is half a period at any times",
-        "solver/simulation/settle.py",
+        "solver/simulation/outcome.py",
         "    return abs(one - two) <= NEAR * max(one, two, 1.0)",
         "    return True",
         ("tests/bodies/test_bodies_that_move_freely.py",),
