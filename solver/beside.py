@@ -3,7 +3,8 @@
 from contextlib import suppress
 from dataclasses import dataclass
 
-from .branch.piece import Piece, Place
+from .branch.piece import Piece
+from .branch.place import Place
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .results.family import Beside

@@ -20,7 +20,8 @@ from .follow import CLOSED, PART, Segment, follow, in_units
 from .for_ever import for_ever
 from .meeting import halved, symmetric
 from .orders.change import beyond
-from .piece import NoStepError, Piece, Place
+from .piece import Piece
+from .place import NoStepError, Place
 from .walk import FLIP, FOLD, MEETS, NEUTRAL, OWN
 
 #: Most segments in each direction.

@@ -14,7 +14,8 @@ from .events.in_step import EDGE, events_in, in_turn, shows_event
 from .events.locate import Found, estimated
 from .meeting import meeting, met, shorter
 from .orders.change import begun_anew
-from .piece import NoStepError, Piece, Place, unit_of
+from .piece import Piece, unit_of
+from .place import NoStepError, Place
 from .walk import EVENT, GROWN, LEAST_STEP, STUCK
 
 #: First step, in scaled coordinates; most steps of one walk.

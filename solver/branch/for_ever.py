@@ -5,7 +5,7 @@ import numpy as np
 from ..arrays import Vector
 from ..existence.reasons import steady
 from .course import Course
-from .piece import NoStepError
+from .place import NoStepError
 
 
 def for_ever(course: Course, numbers: tuple[float, ...]) -> Vector:

@@ -17,7 +17,8 @@ from ..scenes.orders import Order, image
 from .course import Course
 from .events.locate import Found, estimated
 from .events.root import root
-from .piece import NoStepError, Piece, Place
+from .piece import Piece
+from .place import NoStepError, Place
 from .walk import FLIP, LEAST_STEP, MOST_STEP, OWN
 
 #: Difference of two halves that is rounding; part of it that may be left where they meet.

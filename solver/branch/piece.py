@@ -14,40 +14,10 @@ from ..scenes.cell import Cell, Form
 from . import walk
 from .along import Along, Interval
 from .course import Course, Row
+from .place import NoStepError, Orbits, Place
 
 #: Half width of the interval of a piece, as a part of the parameter or of its unit.
 REACH = 0.5
-
-
-@dataclass(frozen=True, eq=False)
-class Place:
-    """An orbit of a piece.
-
-    Parameters
-    ----------
-    y : ndarray
-        The unknowns, and the coordinate ``q`` of the parameter.
-    tangent : ndarray
-        The unit tangent, in scaled coordinates.
-    monitors : ndarray
-        Test functions for events: three of each form of the table, the durations, and those of
-        the orbit as a whole (`walk.OWN`).
-    extremes : ndarray, shape (2, 2)
-        Least and largest displacement and velocity of the cell.
-    maps : ndarray, shape (2, n, n) or (2, 0, 0)
-        The derivative of the map over the cell, before it is mirrored, and its size; of a body
-        they are not kept.
-    """
-
-    y: Vector
-    tangent: Vector
-    monitors: Vector
-    extremes: Matrix
-    maps: Matrix
-
-
-class NoStepError(ArithmeticError):
-    """A step does not lead to the branch."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,13 +144,12 @@ class Piece:
         NoStepError
             If it has no tangent.
         """
-        mapped = self.course.mapped
-        extremes, maps = np.empty((2, 2)), np.empty((2, mapped, mapped))
-        arguments = self.along, self.table, y, border, extremes, maps
-        tangent, monitors = self.course.by("tangent_and_monitors", *arguments)
-        if not np.isfinite(tangent).all():
+        orbits = self._room(y, border)
+        self._asked(walk.PLACED, orbits)
+        place = orbits.place(0)
+        if not np.isfinite(place.tangent).all():
             raise NoStepError
-        return Place(y, tangent, monitors, extremes, maps)
+        return place
 
     def corrected(self, y: Vector, border: Vector) -> Vector:
         """Return the orbit to which Newton's method leads, orthogonally to `border`.
@@ -189,10 +158,11 @@ class Piece:
         ------
         NoStepError
         """
-        converged, _, corrected = self.course.by("stepped", self.along, y, border, 0.0)
-        if not converged:
+        orbits = self._room(y, border)
+        _, why, _ = self._asked(walk.CORRECTED, orbits)
+        if why == walk.STUCK:
             raise NoStepError
-        unknowns: Vector = corrected
+        unknowns: Vector = orbits.Y[0]
         return unknowns
 
     def singular_vectors(self, y: Vector) -> Matrix:
@@ -234,18 +204,28 @@ class Piece:
         places, lengths, why, length
             See `walk.walk`.
         """
-        mapped, size = self.course.mapped, len(place.y)
-        Y, D, V = (np.empty((room + 1, width)) for width in (size, size, len(place.monitors)))
-        E, T, S = (
-            np.empty((room + 1, 2, 2)),
-            np.empty((room + 1, 2, mapped, mapped)),
-            np.empty(room + 1),
-        )
-        Y[0], D[0], V[0], E[0], T[0] = vars(place).values()
-        arguments = self.along, self.table, length, most / self.sizes[-1]
-        last, why, length = self.course.by("walk", *arguments, Y, D, V, E, T, S)
-        places = [Place(Y[i], D[i], V[i], E[i], T[i]) for i in range(1, last + 1)]
-        return places, S[1 : last + 1], why, length
+        orbits = self._room(place.y, place.tangent, room)
+        orbits.V[0], orbits.E[0], orbits.T[0] = place.monitors, place.extremes, place.maps
+        last, why, length = self._asked(walk.WALKED, orbits, length, most / self.sizes[-1])
+        places = [orbits.place(i) for i in range(1, last + 1)]
+        return places, orbits.S[1 : last + 1], why, length
+
+    def _room(self, y: Vector, tangent: Vector, steps: int = 0) -> Orbits:
+        """Return arrays with unknowns and tangent of an orbit, and room for some steps."""
+        mapped, count = self.course.mapped, steps + 1
+        monitors = 3 * len(self.table) + len(self.along.kinds) + walk.OWN
+        shapes = (len(y),), (len(y),), (monitors,), (2, 2), (2, mapped, mapped), ()
+        orbits = Orbits(*(np.empty((count, *shape)) for shape in shapes))
+        orbits.Y[0], orbits.D[0] = y, tangent
+        return orbits
+
+    def _asked(
+        self, task: int, orbits: Orbits, length: float = 0.0, most: float = 0.0
+    ) -> tuple[int, int, float]:
+        """See `walk.asked`."""
+        arguments = task, self.along, self.table, length, most, *orbits
+        last, why, length = self.course.by("asked", *arguments)
+        return last, why, length
 
     @cached_property
     def sizes(self) -> Vector:

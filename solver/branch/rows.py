@@ -10,7 +10,8 @@ from ..scenes.case import index_of
 from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import of_monodromy
 from .events.locate import Found
-from .piece import Piece, Place
+from .piece import Piece
+from .place import Place
 
 
 def row_of(piece: Piece, place: Place, regular: bool = True) -> FamilyRow:

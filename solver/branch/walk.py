@@ -39,6 +39,9 @@ NEUTRAL = 1e-9
 # leaves its interval; the step cannot get smaller; an unknown has outgrown its scale.
 FULL, EVENT, STUCK, GROWN = 0, 1, 2, 3
 
+#: What may be asked for: see `asked`.
+CORRECTED, PLACED, WALKED = range(3)
+
 #: The last monitors are of the whole orbit: the tangent's component of the parameter;
 #: ``det(M + 1)``; the least pivot of the bordered Jacobian with the sign of its determinant,
 #: zero where branches meet; the number of multipliers outside the unit circle; the product of
@@ -205,6 +208,33 @@ def walk(
             if abs(y[j] * along[4][j]) > OUTGROWN or isnan(y[j]):
                 return last, GROWN, length
     return last, FULL, length
+
+
+def asked(
+    task: int, along: Any, table: Any, length: float, most: float, Y: Matrix, D: Matrix,
+    V: Matrix, E: Any, T: Any, S: Vector,
+) -> tuple[int, int, float]:  # fmt: skip
+    """Correct the first orbit, or fill in its tangent and monitors, or walk on from it.
+
+    All is asked for by one function: each that Python calls is compiled with all that it calls.
+
+    Parameters
+    ----------
+    task : int
+        `CORRECTED`: orthogonally to the first row of D; it is `STUCK` without an orbit.
+        `PLACED`: on the side of that row.  `WALKED`: see `walk`.
+    along, table, length, most, Y, D, V, E, T, S
+        See `walk`, and there for what is returned.
+    """
+    if task == CORRECTED:
+        converged, _, y = stepped(along, Y[0], D[0], 0.0)
+        Y[0] = y
+        return 0, FULL if converged else STUCK, length
+    if task == PLACED:
+        direction, monitors = tangent_and_monitors(along, table, Y[0], D[0], E[0], T[0])
+        D[0], V[0] = direction, monitors
+        return 0, FULL, length
+    return walk(along, table, length, most, Y, D, V, E, T, S)
 
 
 def linked(equations: Any, make: linking.Make) -> dict[str, Any]:

@@ -10,7 +10,8 @@ from ..branch.branch import BothWays
 from ..branch.course import Course, Row
 from ..branch.events.locate import Found
 from ..branch.every_way import every_way
-from ..branch.piece import Piece, Place
+from ..branch.piece import Piece
+from ..branch.place import Place
 from ..scenes.case import Case
 from .plane import Bounds
 

@@ -19,7 +19,8 @@ from shown import ROOT
 import nonsmooth as ns
 from nonsmooth.solver.branch.course import Course
 from nonsmooth.solver.branch.events.in_step import in_turn
-from nonsmooth.solver.branch.piece import NoStepError, Piece
+from nonsmooth.solver.branch.piece import Piece
+from nonsmooth.solver.branch.place import NoStepError
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import are_one, known_orbits
 from nonsmooth.solver.in_order import motion_of

@@ -127,13 +127,13 @@ def test_methods(family: Family, method: str, last: str, looked_at) -> None:
 def test_branches(looked_at) -> None:
     names = looked_at(walk.FAMILY)
     ns.branch(ns.scene("impact")(damping=0.1, restitution=0.8), "frequency", 2.4, 2.5)
-    assert {"stepped", "tangent_and_monitors", "walk"} <= names
+    assert "asked" in names
 
 
 def test_branches_of_bodies(looked_at) -> None:
     names = looked_at(BODIES)
     ns.branch(ns.scene("chain-impact")(frequency=0.5), "gap", 0.5, 1.0)
-    assert {"stepped", "tangent_and_monitors", "walk"} <= names
+    assert "asked" in names
 
 
 def test_force_series(looked_at) -> None:

@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from ..piece import Piece, Place
+from ..piece import Piece
+from ..place import Place
 from ..walk import NEUTRAL, OUTSIDE, OWN
 
 

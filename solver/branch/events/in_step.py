@@ -5,7 +5,8 @@ from contextlib import suppress
 
 import numpy as np
 
-from ..piece import NoStepError, Piece, Place
+from ..piece import Piece
+from ..place import NoStepError, Place
 from ..walk import OUTSIDE, OWN, happens
 from ..watch import END, LEAST, START
 from .locate import Found, by_cubic, located, torus_crossings

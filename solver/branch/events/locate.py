@@ -8,7 +8,8 @@ import numpy as np
 
 from ...arrays import Vector
 from ..along import of_velocity, returns
-from ..piece import NoStepError, Piece, Place
+from ..piece import Piece
+from ..place import NoStepError, Place
 from ..walk import FLIP, FOLD, MEETS, NEUTRAL, OUTSIDE, OWN
 from ..watch import BEGINS
 from .circle import first_leaving, multipliers

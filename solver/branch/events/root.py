@@ -6,7 +6,8 @@ from functools import cache
 
 import numpy as np
 
-from ..piece import NoStepError, Piece, Place
+from ..piece import Piece
+from ..place import NoStepError, Place
 from ..walk import MEETS, OUTSIDE, OWN
 from .circle import beyond_circle
 

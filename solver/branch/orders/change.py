@@ -17,7 +17,8 @@ from ..course import Course
 from ..events.locate import Found
 from ..for_ever import for_ever
 from ..meeting import halves_apart
-from ..piece import NoStepError, Piece, Place, unit_of
+from ..piece import Piece, unit_of
+from ..place import NoStepError, Place
 from .candidates import BESIDE, AtEvent, Candidate
 
 #: Durations tried for an inserted phase, as parts of a cell, or steps tried along the branch.
