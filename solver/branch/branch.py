@@ -9,10 +9,11 @@ from itertools import pairwise
 import numpy as np
 
 from ..existence.reasons import WithoutSwitches
-from ..orbit.exact_orbit import ExactOrbit
+from ..kernels.start import RoughTimes
+from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.case import Case
 from ..scenes.ordered import placed
-from ..scenes.orders import Order, Step
+from ..scenes.orders import Order, Step, image
 from .bodies.course import BodyCourse
 from .course import Course
 from .events.locate import Found
@@ -98,13 +99,18 @@ def start_of(
     """Return an exact orbit as a place on a branch, its tangent towards larger parameters.
 
     Of a symmetric orbit only a half is followed: else two phases would vanish together, and the
-    equations would be singular where symmetry is lost.
+    equations would be singular where symmetry is lost.  The whole is, where the parameter
+    makes the oscillator unsymmetric.
 
     Raises
     ------
     NoStepError
         If its equations are singular: at a value there are orbits without end.
     """
+    inside = bounds[0] + GENERIC * (bounds[1] - bounds[0])
+    elsewhere = orbit.case.with_value(orbit.case.scene.parameters[index].name, inside)
+    if isinstance(orbit, ExactOrbit) and not course_of(orbit.case).exists(elsewhere):
+        orbit = _whole(orbit)
     case, course = orbit.case, course_of(orbit.case)
     if isinstance(orbit, WithoutSwitches):
         step = Step(course.base.phases.index(orbit.phase))
@@ -116,8 +122,7 @@ def start_of(
     piece = Piece.at(course, case, index, bounds, unknowns)
     y = piece.of_number(unknowns)
     half = symmetric(piece, y)
-    inside = bounds[0] + GENERIC * (bounds[1] - bounds[0])
-    if half is not None and half.exists(case.with_value(piece.name, inside)):
+    if half is not None and half.exists(elsewhere):
         with suppress(ArithmeticError):  # another value may leave no image
             half_unknowns = halved(piece, half, y)
             piece, unknowns = Piece.at(half, case, index, bounds, half_unknowns), half_unknowns
@@ -133,6 +138,25 @@ def start_of(
             raise NoStepError from None
     piece.place(place.y, -place.tangent)  # so it can be followed both ways
     return piece, place
+
+
+def _whole(orbit: ExactOrbit) -> ExactOrbit:
+    """Return a symmetric orbit as one whose cell is the whole period.
+
+    Raises
+    ------
+    NoStepError
+        If there is none.
+    """
+    case, half = orbit.case, course_of(orbit.case)
+    cell = half.declares(case.numbers)
+    images = tuple(filter(None, (image(cell, step) for step in half.order.steps)))
+    course = replace(half, order=Order(half.order.steps + images))
+    times = tuple(map(float, orbit.cell_durations)) * 2
+    whole = from_times(course.case(case), RoughTimes(times, orbit.angle, "both of its halves"))
+    if not whole.outcome.converged:
+        raise NoStepError
+    return whole
 
 
 def go(

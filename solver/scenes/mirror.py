@@ -1,12 +1,13 @@
 """Mirror images of phases, and equivalence of forms."""
 
-from math import frexp, ldexp
+from itertools import chain
+from math import frexp, isclose, ldexp
 from typing import Any
 
 from .bodies.cell import BodyPhase
 from .cell import Form, Phase
 
-#: Largest relative difference of factors of forms that is rounding.
+#: Largest relative difference of numbers of phases, and of factors of forms, that is rounding.
 ROUNDING = 1e-12
 
 
@@ -56,15 +57,18 @@ def same(one: Form, other: Form) -> bool:
 def alike(one: Phase, other: Phase) -> bool:
     """Return whether two phases without a memory have the same motions."""
 
-    def numbers(q: Phase) -> tuple[object, ...]:
-        return q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.jumps
+    def numbers(q: Phase) -> tuple[float, ...]:
+        return q.m, q.c, q.k, q.f, q.g, q.held, q.speed, *chain.from_iterable(q.jumps)
+
+    def close(a: float, b: float) -> bool:
+        return isclose(a, b, rel_tol=ROUNDING)
 
     def laws(q: Phase) -> tuple[Form, ...]:
         return (q.event, *q.laws) if isinstance(q, BodyPhase) else (q.event,)
 
     forms, theirs = ([form for _, form in q.demands] for q in (one, other))
     return (
-        numbers(one) == numbers(other)
+        all(map(close, numbers(one), numbers(other)))
         and len(forms) == len(theirs)
         and not (one.memory or other.memory)
         and all(map(same, laws(one), laws(other)))

@@ -219,3 +219,20 @@ def test_where_a_surface_lies_does_not_matter(start: float) -> None:
         assert branch.why_it_ended == ("the end of the range",) * 2
     values = ([event.parameter for event in branch.events] for branch in found)
     np.testing.assert_allclose(*values, rtol=1e-12)
+
+
+def test_a_branch_begins_at_a_symmetric_orbit_where_the_parameter_breaks_the_symmetry() -> None:
+    """There half a period is an order of its own, which is none beside it."""
+    low, high = sp.symbols("low high", positive=True)
+    moved = m * a + c * v + k * x - F * forcing
+    below, above = Event(x + low), Event(x - high)
+    phases = (
+        Phase("free", moved, above | below, {"above": x + low, "below": high - x}),
+        Phase("up", moved + 3 * k * (x - high), above, {"on": x - high}),
+        Phase("down", moved + 3 * k * (x + low), below, {"on": -low - x}),
+    )
+    gaps = parameters(low=(low, "m", 0.5), high=(high, "m", 0.5))
+    known = oscillator(1.0, 0.1, 1.0, 1.1)
+    case = ns.scene(Scene("gaps", "two stops", (*known, *gaps), phases, frequency=Omega))()
+    assert exact_orbit(case).case.scene.half_period
+    assert both_ways(case, "high", (0.3, 0.8), (0.5, 0.55)) == [[], []]
