@@ -80,14 +80,19 @@ def exact_orbit(
 def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
     """Return the exact orbit on which a simulation settles, in an undeclared order of phases.
 
-    None if there is none, or if the case names a motion.  With `beside`, next to an orbit known
-    to be unstable, declared orders count too, and unstable orbits do not.
+    None if there is none, or if the case names a motion.  A stable one, if any is found.  With
+    `beside`, next to an orbit known to be unstable, declared orders count too, and unstable
+    orbits do not.
     """
     if case.scene.motion is not None:
         return None
     starts = chain(_declared(case) if beside else (), settled_cases(case))
-    orbits = _admissible(starts)
-    return next((q for q in orbits if not beside or is_stable(q) is not False), None)
+    unstable = None
+    for orbit in _admissible(starts):
+        if is_stable(orbit) is not False:
+            return orbit
+        unstable = unstable or orbit
+    return None if beside else unstable
 
 
 def settled_orbits(case: Case) -> Iterator[ExactOrbit]:
@@ -171,10 +176,10 @@ def starts(
     if not (undeclared or knowledge.none or looked_at):
         yield from at_hand
     for settled in rough_times_by_simulation(case, FEW if knowledge.listed else PHASES):
-        if settled.times is None:
-            tried.append(settled.words)
-        else:
+        if settled.times is not None:
             yield settled.times.words, settled.times
+        elif settled.words:
+            tried.append(settled.words)
     if undeclared:
         yield from at_hand
 

@@ -107,9 +107,8 @@ def start_of(
     NoStepError
         If its equations are singular: at a value there are orbits without end.
     """
-    inside = bounds[0] + GENERIC * (bounds[1] - bounds[0])
-    elsewhere = orbit.case.with_value(orbit.case.scene.parameters[index].name, inside)
-    if isinstance(orbit, ExactOrbit) and not course_of(orbit.case).exists(elsewhere):
+    course = course_of(orbit.case)
+    if isinstance(orbit, ExactOrbit) and not _lasts(course, orbit, index, bounds):
         orbit = _whole(orbit)
     case, course = orbit.case, course_of(orbit.case)
     if isinstance(orbit, WithoutSwitches):
@@ -122,7 +121,7 @@ def start_of(
     piece = Piece.at(course, case, index, bounds, unknowns)
     y = piece.of_number(unknowns)
     half = symmetric(piece, y)
-    if half is not None and half.exists(elsewhere):
+    if half is not None and _lasts(half, orbit, index, bounds):
         with suppress(ArithmeticError):  # another value may leave no image
             half_unknowns = halved(piece, half, y)
             piece, unknowns = Piece.at(half, case, index, bounds, half_unknowns), half_unknowns
@@ -138,6 +137,16 @@ def start_of(
             raise NoStepError from None
     piece.place(place.y, -place.tangent)  # so it can be followed both ways
     return piece, place
+
+
+def _lasts(
+    course: Course, orbit: ExactOrbit | WithoutSwitches, index: int, bounds: Bounds
+) -> bool:
+    """Whether an order of phases is one elsewhere in a range, too: see `Course.exists`."""
+    if not course.order.half_period:
+        return True
+    inside = bounds[0] + GENERIC * (bounds[1] - bounds[0])
+    return course.exists(orbit.case.with_value(orbit.case.scene.parameters[index].name, inside))
 
 
 def _whole(orbit: ExactOrbit) -> ExactOrbit:

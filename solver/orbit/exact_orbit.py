@@ -28,6 +28,9 @@ SAME, EQUAL = 1e-11, 1e-13
 #: Largest difference between the states of a body a period apart, relative to them.
 CLOSED = 1e-8
 
+#: Largest unknown of one mass beside which rounding leaves digits of a forcing of about 1.
+LARGEST = 1e12
+
 #: Most iterations for one mass: each lengthens a phase by a limited factor, and one may last a
 #: hundred million times as long as another.
 LIMIT = 80
@@ -70,7 +73,10 @@ class ExactOrbit(Shown):
             opening = left_open(cell, self.times)
             if not opening <= CLOSED:
                 return (f"it does not close: by {opening:.3g} of its size",)
-        return admissible.violations(self) or not_followed(self)
+        reasons = admissible.violations(self) or not_followed(self)
+        if not reasons and cell.forced and np.abs(self.outcome.unknowns).max() > LARGEST:
+            return ("its motion is so large that what drives it is lost in rounding",)
+        return reasons
 
     @cached_property
     def admissible(self) -> bool:

@@ -12,6 +12,7 @@ from ..kernels import registry
 from ..kernels.kernel import Kernel
 from ..kernels.start import RoughTimes, solved
 from ..scenes.case import Case
+from ..scenes.methods import FIRST
 from ..simulation.followers import not_followed
 from . import admissible
 from .allowance import by_neighbour, by_residual
@@ -22,6 +23,9 @@ from .shown import Shown
 #: Difference of times, relative to the period, up to which an exact solution is the neighbour
 #: of one of an expansion, and decides whether that one is an orbit.
 FAR = 0.05
+
+#: Order of a finer solution between one that is crude and the exact one.
+FINER = 20
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -130,19 +134,30 @@ class Solution(Shown):
 
     @cached_property
     def _exact_solution(self) -> ExactOrbit | None:
-        """The exact solution by Newton's method from its times; None without convergence."""
-        start = RoughTimes(tuple(map(float, self.cell_durations)), self.angle, "its own times")
-        exact = from_times(self.case, start)
+        """The exact solution to which its times lead; None if they lead to none.
+
+        By Newton's method; where that leads far away, by way of a finer solution.
+        """
+        scene, exact = self.case.scene, from_times(self.case, _as_start(self))
+        if not self._is_near(exact) and FIRST in registry.methods(scene):
+            kernel = registry.quicker_kernel(scene, FIRST, None, FINER)
+            finer = attempt(kernel, self.case, FINER, self._kernel.times(self.unknowns))
+            beyond = from_times(self.case, _as_start(finer)) if finer.converged else exact
+            exact = beyond if self._is_near(beyond) else exact
         return exact if exact.outcome.converged else None
+
+    def _is_near(self, exact: ExactOrbit) -> bool:
+        """Whether the times of an exact solution differ by at most `FAR`."""
+        if not exact.outcome.converged:
+            return False
+        distance = times_apart(self, exact.cell_durations, exact.angle)
+        return distance / self.case.cell.cells <= FAR
 
     @cached_property
     def _neighbour(self) -> ExactOrbit | None:
         """The exact solution, if its times differ by at most `FAR`; else None."""
-        near = self._exact_solution
-        if near is None:
-            return None
-        distance = times_apart(self, near.cell_durations, near.angle) / self.case.cell.cells
-        return near if distance <= FAR else None
+        exact = self._exact_solution
+        return exact if exact is not None and self._is_near(exact) else None
 
     @property
     def exact(self) -> ExactOrbit | None:
@@ -154,6 +169,12 @@ class Solution(Shown):
     def errors(self) -> Errors | None:
         """Errors against the exact orbit; None without one."""
         return None if self.exact is None else difference(self, self.exact, self.order)
+
+
+def _as_start(solution: Solution) -> RoughTimes:
+    """Return the times of a solution, to start from."""
+    durations = tuple(map(float, solution.cell_durations))
+    return RoughTimes(durations, solution.angle, "its own times")
 
 
 def attempt(

@@ -13,6 +13,7 @@ from ..orbit.exact_orbit import ExactOrbit
 from ..orbit.solution import Solution
 from ..scenes.methods import about, shown
 from ..stability.in_words import in_words
+from ..stability.monodromy import NoMultipliersError
 from ..stability.stability import Stability
 from .document import document
 
@@ -57,16 +58,18 @@ class Orbit(Solution):
     def stability(self) -> Stability:
         """The Floquet multipliers of the exact orbit next to this one, with their rounding.
 
-        Without an exact orbit they are computed at its own times and states, with its errors;
-        these are amplified where an event is crossed slowly, for the saltation matrix divides
-        by the rate there.
+        At its own times and states they would have its errors, amplified where an event is
+        crossed slowly, for the saltation matrix divides by the rate there.
 
         Raises
         ------
         NoMultipliersError
-            If an event is touched and not crossed, or a check of the computation failed.
+            If no exact orbit is found next to it, an event is touched and not crossed, or a
+            check of the computation failed.
         """
-        return super().stability if self.exact is None else self.exact.stability
+        if self.exact is None:
+            raise NoMultipliersError("no exact orbit is found next to it")
+        return self.exact.stability
 
     def as_dict(self) -> dict[str, Any]:
         """Return the orbit as the document that ``solve --json`` writes."""

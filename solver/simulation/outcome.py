@@ -4,6 +4,7 @@ If it settles on an order of phases that the scene does not declare, words say s
 switch follows any more is said only if it is proven.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,13 +15,12 @@ from ..scenes.orders import Order, declared_order, half_if_mirrored, image, orde
 from .machines import machine_of
 from .nodes import firsts
 from .record import Simulation
-from .repeats import NEAR, repeated, whole
+from .repeats import NEAR, repeated, returns, whole
 from .segment import Segment
 from .simulate import cycle
 
-#: Largest difference of the repeated phases of an unsettled motion from which Newton's method
-#: may start.
-ROUGH = 0.03
+#: Most orders of phases in which an unsettled motion almost returns, that are tried.
+RETURNS = 4
 
 #: Words for a motion without any further switch.
 WITHOUT_SWITCHES = "a simulation comes to a motion without switches"
@@ -31,7 +31,8 @@ class Settled:
     """The outcome of a simulation: in words, and as times of a cell of the declared order.
 
     `times` is None if it did not settle on that order; `other` is another order on which it
-    settled.  It is `conclusive` if it became periodic, or has no more switches.
+    settled.  It is `conclusive` if it became periodic, or has no more switches.  There are no
+    words where it almost returned on the way: see `nearly`.
     """
 
     times: RoughTimes | None
@@ -84,10 +85,7 @@ class Other:
 
 
 def outcome_of(cell: Cell, motion: Simulation) -> Settled:
-    """Return the outcome of a motion of a cell, from its last phases.
-
-    If it has not settled, but its last phases almost repeat, they give times as well.
-    """
+    """Return the outcome of a motion of a cell, from its last phases."""
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}", conclusive=False)
     last = motion.segments[-1]
@@ -98,9 +96,20 @@ def outcome_of(cell: Cell, motion: Simulation) -> Settled:
         return _settled_on(cell, again)
     cycles = round((last.t + last.s) / cycle(cell))
     words = f"a simulation of {cycles} cycles does not settle"
-    again = repeated(cell, motion.segments, ROUGH)
-    outcome = Settled(None, words) if again is None else _settled_on(cell, again)
-    return replace(outcome, words=words, conclusive=False)
+    return Settled(None, words, conclusive=False)
+
+
+def nearly(cell: Cell, motion: Simulation, cycles: int) -> Iterator[Settled]:
+    """Yield times near to which a motion may have orbits, of `cycles` periods of the forcing.
+
+    They are those of its closest `returns`: for a motion that has not settled.
+    """
+    where = "a simulation that almost returns"
+    for again in returns(cell, motion.segments, cycles)[:RETURNS]:
+        found = _settled_on(cell, again)
+        times = found.times and replace(found.times, words=where)
+        if times or found.other:
+            yield replace(found, times=times, words="", conclusive=False)
 
 
 def _settled_on(cell: Cell, again: tuple[Segment, ...]) -> Settled:

@@ -1,27 +1,37 @@
-"""The phases that a motion repeats at its end.
+"""The phases that a motion repeats at its end, or almost repeats anywhere.
 
 A motion has settled if its last phases repeat those before twice in succession, with a
-remaining transient below `NEAR`.
+remaining transient below `NEAR`.  One that does not settle comes near to orbits again and
+again: where its state returns closest after a period, an orbit is close, stable or not (the
+method of close returns, Lathrop and Kostelich 1989).
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
+
+import numpy as np
 
 from ..flow import flow
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
+from ..scenes.orders import Step
 from .bodies import regime
 from .machine import Machine
 from .machines import machine_of
 from .segment import Segment
 from .simulate import cycle
 
-#: Most cycles in the period of a settled motion.
+#: Most cycles of the forcing in the period of a settled motion.
 MOST = 8
 
 #: Largest distance of a settled motion from its limit, in units of time and length and relative
 #: to its size; and rounding of a state.
 NEAR, ROUNDING = 1e-3, 1e-10
+
+#: Farthest of a return: of the state, as a part of its spread, and of the time, of the period.
+#: Most phases of a return without a forcing.
+CLOSE, TIMELY, LONGEST = 1.0, 0.15, 24
 
 #: Rounding of a duration, in units of time: a square root of it where two events meet.
 NO_TIME = 1e-7
@@ -64,26 +74,23 @@ def _goes_on(machine: Machine, one: Segment, two: Segment) -> bool:
     return equal and not node.changes_velocity
 
 
-def repeated(
-    cell: Cell, segments: tuple[Segment, ...], rough: float = 0.0
-) -> tuple[Segment, ...] | None:
+def repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] | None:
     """Return the phases that a motion repeats at its end, twice; None if there are none.
 
     A transient whose slowest decay rate is r leaves, after a repeat of duration T that changes
-    the phases by d, at most ``d / (1 - exp(-r T))``: this must be below `NEAR`.  If `rough` is
-    not 0, d must be below `rough` instead.
+    the phases by d, at most ``d / (1 - exp(-r T))``: this must be below `NEAR`.
     """
     *done, cut = segments
     for length in range(1, len(done) // 3 + 1):
         tail = tuple(done[-length:])
         passed = done[-1].t - done[-1 - length].t
         turns = passed / cycle(cell)
-        if turns > MOST + NEAR:
+        if cell.forced and turns > MOST + NEAR:
             return None
-        is_whole = abs(turns - round(turns)) <= max(NEAR, rough)
+        is_whole = abs(turns - round(turns)) <= NEAR
         if cell.forced and not (round(turns) and is_whole):
             continue
-        tolerance = rough or NEAR * -math.expm1(-slowest_decay(cell) * passed)
+        tolerance = NEAR * -math.expm1(-slowest_decay(cell) * passed)
         size = min(1.0, max(max(map(abs, q.state)) for q in tail))
         pairs = zip(done[-2 * length :], done[-3 * length : -length], strict=True)
         if all(_same(one, two, tolerance, size) for one, two in pairs) and (
@@ -91,6 +98,49 @@ def repeated(
         ):
             return tail
     return None
+
+
+def returns(
+    cell: Cell, segments: tuple[Segment, ...], cycles: int
+) -> list[tuple[Segment, ...]]:
+    """Return phases after which a motion is almost back, of each order the closest ones.
+
+    The closest of all come first.  With a forcing they take `cycles` of its periods, and their
+    durations are scaled to do so exactly.
+    """
+    done, period = segments[:-1], cycle(cell) * cycles if cell.forced else math.inf
+    if not done:
+        return []
+    states, times = np.array([q.state for q in done]), np.array([float(q.t) for q in done])
+    spread = states.std(axis=0)
+    states = states / np.where(spread > 0, spread, 1.0)
+    best: dict[tuple[Step, ...], tuple[float, tuple[Segment, ...]]] = {}
+    for i, first in enumerate(done):
+        late = np.abs(times[i + 1 :] - times[i] - period) / period if cell.forced else None
+        following = range(min(len(done) - i - 1, LONGEST))
+        ends = following if late is None else np.flatnonzero(late <= TIMELY)
+        for j in map(int, ends):
+            back = done[i + 1 + j]
+            if (back.began, back.named) != (first.began, first.named):
+                continue
+            off = float(np.abs(states[i + 1 + j] - states[i]).max())
+            off += 0.0 if late is None else float(late[j])
+            order = _from_the_least([q.named for q in done[i : i + 1 + j]])
+            if off <= best.get(order, (CLOSE,))[0]:
+                best[order] = off, done[i : i + 1 + j]
+    found = [again for _, again in sorted(best.values(), key=lambda each: each[0])]
+    return [_lasting(again, period) for again in found]
+
+
+def _from_the_least(steps: Sequence[Step]) -> tuple[Step, ...]:
+    """Return a cyclic order, begun so that it comes first of all its rotations."""
+    return min((*steps[i:], *steps[:i]) for i in range(len(steps)))
+
+
+def _lasting(again: tuple[Segment, ...], period: float) -> tuple[Segment, ...]:
+    """Return phases with durations scaled to a period, if that is finite."""
+    factor = period / sum(q.s for q in again) if math.isfinite(period) else 1.0
+    return tuple(replace(q, s=q.s * factor) for q in again)
 
 
 def _same(one: Segment, two: Segment, near: float, size: float) -> bool:

@@ -16,7 +16,7 @@ from ..scenes.ordered import of_all_phases, placed
 from ..scenes.orders import declared_order
 from .machine import Machine
 from .machines import machine_of
-from .outcome import Settled, outcome_of
+from .outcome import Settled, nearly, outcome_of
 from .record import Simulation
 from .repeats import slowest_decay
 from .segment import Segment
@@ -73,13 +73,13 @@ def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
     """Yield the outcomes of simulations of a case: see `rough_times_by_simulation`.
 
     If none is conclusive, simulations from rest at other phases of the forcing follow; if none
-    comes to an orbit with switches, simulations of a mass that is thrown.
+    settles on an orbit with switches, simulations of a mass that is thrown.
     """
     outcomes = []
     for settled in rough_times_by_simulation(case, phases):
         outcomes.append(settled)
         yield settled
-    if not case.cell.forced or any(q.times or q.other for q in outcomes):
+    if not case.cell.forced or any(q.conclusive and (q.times or q.other) for q in outcomes):
         return
     machine, starts = machine_of(case.cell), machine_of(case.cell).thrown()
     if not any(q.conclusive for q in outcomes):
@@ -90,15 +90,24 @@ def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
 def _followed_from(
     case: Case, machine: Machine, starts: Iterable[AnyState | None], phases: int
 ) -> Iterator[Settled]:
-    """Yield the outcome of a simulation from each admissible state among some."""
+    """Yield the outcome of a simulation from each admissible state among some.
+
+    Then, of those that do not settle, where they almost return.
+    """
     possible = [q for q in dict.fromkeys(starts) if q is not None and machine.begin(q)]
+    most = phases // max(len(possible), 1)
     for start in possible:
-        yield _followed(case, start, phases // len(possible))
+        yield _followed(case, start, most)[0]
+    for start in possible:
+        yield from _followed(case, start, most)[1:]
 
 
 @lru_cache(maxsize=16)
-def _followed(case: Case, start: AnyState, most: int) -> Settled:
-    """Return the outcome of a simulation; cached, as all methods ask for the same."""
+def _followed(case: Case, start: AnyState, most: int) -> tuple[Settled, ...]:
+    """Return the outcome of a simulation, and where it almost returns if it does not settle.
+
+    Cached, as all methods ask for the same.
+    """
     machine, cell = machine_of(case.cell), case.cell
     place, cycles, left = Place.first(machine, start), float(CYCLES), float(most)
     segments: list[Segment] = []
@@ -110,7 +119,8 @@ def _followed(case: Case, start: AnyState, most: int) -> Settled:
         outcome = outcome_of(cell, motion)
         enough = outcome.conclusive or motion.ended or left < 1
         if enough or cycles >= _lasting(cell):
-            return outcome
+            near = () if outcome.conclusive else nearly(cell, motion, case.cycles)
+            return outcome, *near
         cycles = min(LONGER * cycles, _lasting(cell))
 
 

@@ -183,12 +183,27 @@ def test_an_order_that_is_low_does_not_change_the_verdict() -> None:
     assert orbit.stable is ns.exact(case).stable is True
 
 
-def test_where_no_exact_orbit_is_found_they_are_those_at_its_own_times() -> None:
+def test_where_no_exact_orbit_is_found_it_has_none() -> None:
+    """At its own times they are not those of an orbit."""
     orbit = ns.solve(IMPACT(), "hb", 5)
     orbit.__dict__["_exact_solution"] = None
     del orbit.__dict__["stability"]  # known since the orbit is
-    assert orbit.multipliers.tolist() == stability(orbit).multipliers.tolist()
-    assert orbit.multipliers != pytest.approx(ns.exact(IMPACT()).multipliers, rel=1e-3)
+    with pytest.raises(NoMultipliersError, match="no exact orbit is found next to it"):
+        _ = orbit.stable
+    assert "stable" not in repr(orbit)
+    assert orbit.as_dict()["stable"] is None
+
+
+@pytest.mark.parametrize("order", [4, 5, 6, 7])
+def test_a_crude_orbit_before_a_stiff_contact_has_those_of_the_exact_one(order) -> None:
+    """From some of its times Newton's method leads to another solution, which is no orbit."""
+    stiff = CLEARANCE(
+        damping=0.006720994839077621, contact_stiffness=1656.049069912543,
+        gap=-0.12908807242029585, frequency=2.151481196982099,
+    )  # fmt: skip
+    orbit = ns.solve(stiff, "hb", order)
+    assert orbit.stable is ns.exact(stiff).stable is True
+    assert orbit.errors.times == pytest.approx(orbit.estimate.times, rel=1e-3)
 
 
 def some_orbits(count: int, seed: int):
