@@ -16,7 +16,7 @@ from .meeting import meeting, met, shorter
 from .orders.change import begun_anew
 from .piece import Piece, unit_of
 from .place import NoStepError, Place
-from .walk import EVENT, GROWN, LEAST_STEP, STUCK
+from .walk import EVENT, GROWN, LEAST_STEP, MEETS, OWN, STUCK, TURN
 
 #: First step, in scaled coordinates; most steps of one walk.
 FIRST, ROOM = 0.01, 32
@@ -26,6 +26,9 @@ PART, MOST_POINTS = 1 / 80, 20_000
 
 #: Distance from the first orbit, in steps, within which a branch may be closed.
 NEAR = 1.0
+
+#: Steps tried across a place where branches meet.
+LEAPS = 1e-4, 1e-3, 1e-2
 
 #: How far ahead, as a part of the range, the parameters are checked where no step succeeds.
 AHEAD = 1e-6
@@ -94,8 +97,6 @@ def follow(
         progress(piece.value(place.y))
         if why == CLOSES:
             segment.why = CLOSED
-        elif why == STUCK:
-            segment.why = _why_stuck(piece, place)
         elif why == EVENT:
             try:
                 piece, place = _pass(segment, piece, place, places[-1], float(lengths[-1]))
@@ -103,7 +104,7 @@ def follow(
                     segment.why = CLOSED
             except ArithmeticError:
                 length = float(lengths[-1]) / 2
-                segment.why = "" if length > LEAST_STEP else _why_stuck(piece, place)
+                why = why if length > LEAST_STEP else STUCK
         elif why == GROWN:
             try:
                 piece, place = piece.moved(place)
@@ -111,7 +112,24 @@ def follow(
                 segment.why = _why_stuck(piece, place)
             if np.abs(place.y).max() > MOST:
                 segment.why = "the orbit grows beyond all bounds"
+        if why == STUCK:
+            (piece, place), length = _leapt(segment, piece, place), FIRST
     segment.why = segment.why or f"{most} orbits are the most that a branch has"
+
+
+def _leapt(segment: Segment, piece: Piece, place: Place) -> tuple[Piece, Place]:
+    """Leap over a place where branches meet, next to which no step succeeds.
+
+    Returns where the branch goes on.  Without such a place, the segment gets why it ends.
+    """
+    for length in LEAPS:
+        with suppress(ArithmeticError):
+            after = piece.stepped(place, length)
+            signs = np.sign([q.monitors[len(q.monitors) - OWN + MEETS] for q in (place, after)])
+            if signs[0] != signs[1] and place.tangent @ after.tangent >= TURN:
+                return _pass(segment, piece, place, after, length)
+    segment.why = _why_stuck(piece, place)
+    return piece, place
 
 
 def _why_stuck(piece: Piece, place: Place) -> str:

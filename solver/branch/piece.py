@@ -165,12 +165,17 @@ class Piece:
         unknowns: Vector = orbits.Y[0]
         return unknowns
 
-    def singular_vectors(self, y: Vector) -> Matrix:
-        """Return the right singular vectors of the Jacobian; the last span its null space."""
+    def jacobian(self, y: Vector) -> Matrix:
+        """Return the Jacobian in scaled coordinates, its largest entry in each row 1."""
         J = np.empty((len(y) - 1, len(y)))
         self.course.by("jacobian_along", self.along, y[:-1], y[-1], J)
         J /= self.along.weights
-        vectors: Matrix = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2]
+        scaled: Matrix = J / np.abs(J).max(axis=1, keepdims=True)
+        return scaled
+
+    def singular_vectors(self, y: Vector) -> Matrix:
+        """Return the right singular vectors of the Jacobian; the last span its null space."""
+        vectors: Matrix = np.linalg.svd(self.jacobian(y))[2]
         return vectors
 
     def stepped(self, place: Place, length: float) -> Place:

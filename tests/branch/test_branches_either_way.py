@@ -236,3 +236,27 @@ def test_a_branch_begins_at_a_symmetric_orbit_where_the_parameter_breaks_the_sym
     case = ns.scene(Scene("gaps", "two stops", (*known, *gaps), phases, frequency=Omega))()
     assert exact_orbit(case).case.scene.half_period
     assert both_ways(case, "high", (0.3, 0.8), (0.5, 0.55)) == [[], []]
+
+
+def test_where_the_middle_lies_does_not_matter() -> None:
+    """An orbit symmetric about another place touches both stops at once, and loses symmetry."""
+    s, g = sp.Symbol("s", real=True), sp.Symbol("g", positive=True)
+    y, found = x - s, []
+    moved = m * a + c * v + k * y - F * forcing
+    low, high = Event(y + g), Event(y - g)
+    phases = (
+        Phase("free", moved, high | low, {"above": y + g, "below": g - y}),
+        Phase("up", moved + 5 * k * (y - g), high, {"on": y - g}),
+        Phase("down", moved + 5 * k * (y + g), low, {"on": -g - y}),
+    )
+    own = parameters(middle=(s, "m", 0.0), gap=(g, "m", 0.7))
+    known = oscillator(1.0, 0.02, 1.0, 1.1)
+    stops = ns.scene(Scene("middle", "two stops", (*known, *own), phases, frequency=Omega))
+    for middle in (0.0, 0.3):
+        branch = ns.branch(stops(middle=middle), "frequency", 0.2, 1.2)
+        assert branch.why_it_ended == ("the end of the range",) * 2
+        found.append(sorted((event.kind, event.parameter) for event in branch.events))
+    assert [kind for kind, _ in found[0]].count("branch-point") == 6
+    for (kind, value), (other, elsewhere) in zip(*found, strict=True):
+        assert kind == other
+        assert value == pytest.approx(elsewhere, rel=1e-9 if kind == "branch-point" else 1e-12)

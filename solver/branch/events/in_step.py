@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from ..piece import Piece
 from ..place import NoStepError, Place
 from ..walk import OUTSIDE, OWN, happens
 from ..watch import END, LEAST, START
-from .locate import Found, by_cubic, located, torus_crossings
+from .locate import Found, by_cubic, change_at, located, torus_crossings
 
 #: Relative distance of two events that are one.
 SAME = 1e-9
@@ -36,7 +37,7 @@ def in_turn(entries: Iterable[tuple[float, Found | None]]) -> list[Found]:
     """Return the events of a step in order, each once, up to the first change of the order.
 
     Where several monitors vanish at one place, one event stands for all: a change of the order
-    of phases before others, and among these that of `TURNS`.
+    of phases before others, and among these that of `TURNS`.  It has those of other phases.
     """
     ordered = sorted(entries, key=lambda each: each[0])
     events = [(at, event) for at, event in ordered if event is not None]
@@ -53,6 +54,10 @@ def in_turn(entries: Iterable[tuple[float, Found | None]]) -> list[Found]:
     change = min(joint, key=lambda each: TURNS.index(each.column))
     error = SAME * abs(change.value)
     before = (event for at, event in events if at < first and not event.changes)
+    alike = (q for _, q in events if q.changes and q.column == change.column)
+    others = {q.phase: q for q in alike if abs(q.value - change.value) <= error}
+    others.pop(change.phase, None)
+    change = replace(change, at_once=tuple(others.values())) if others else change
     return [*(q for q in before if abs(q.value - change.value) > error), change]
 
 
@@ -129,7 +134,9 @@ def _watched(
     for i in (*range(forms, watched), *in_turn_of_columns):
         height = float(end.monitors[i])
         if abs(height) <= SAME * abs(after.monitors[i]) and end is not after:
-            continue  # it vanishes where the order changes, and stands behind in `TURNS`
+            if happens(before.monitors[i], after.monitors[i], i - watched):
+                yield length, change_at(piece, end, i)  # where the order changes anyway
+            continue
         if not happens(before.monitors[i], height, i - watched):
             continue
         try:

@@ -49,6 +49,8 @@ class Found:
         Which of `Place.monitors` vanishes.
     estimate : float
         Of the error of the parameter: the difference if it is located from the other side.
+    at_once : tuple of Found
+        Other changes of the order of phases at the same place.
     """
 
     kind: str
@@ -58,6 +60,7 @@ class Found:
     place: Place
     monitor: int = -1
     estimate: float = 0.0
+    at_once: tuple["Found", ...] = ()
 
     @property
     def row(self) -> int:
@@ -101,18 +104,23 @@ def located(
         if i < forms + phases and abs(end) > ROUNDING:  # there is no orbit beyond
             yield at, None
         return
-    if i < forms:
-        row, column = piece.rows[i // 3], i % 3
-        word = piece.course.word(row, column, int(piece.table[i // 3, BEGINS]))
-        yield at, Found(word, row.phase, column, piece, place, i)
-    elif i < forms + phases:
-        p = i - forms
-        yield at, Found(_kind_of_vanishing(piece, p), p, None, piece, place, i)
+    if i < forms + phases:
+        yield at, change_at(piece, place, i)
     else:
         kind = OF_THE_ORBIT[i - forms - phases]
         if kind == "flip" and piece.cell.sign < 0:  # of half a period: the symmetry is lost
             kind = "branch-point"
         yield at, Found(kind, None, None, piece, place, i)
+
+
+def change_at(piece: Piece, place: Place, i: int) -> Found:
+    """Return the change of the order of phases at an orbit where monitor i vanishes."""
+    p = i - 3 * len(piece.table)
+    if p >= 0:
+        return Found(_kind_of_vanishing(piece, p), p, None, piece, place, i)
+    row, column = piece.rows[i // 3], i % 3
+    word = piece.course.word(row, column, int(piece.table[i // 3, BEGINS]))
+    return Found(word, row.phase, column, piece, place, i)
 
 
 def by_cubic(
@@ -129,8 +137,7 @@ def by_cubic(
         If there is no orbit twice as far.
     """
     part, y = _cubic(piece, before, after, p)
-    place, i = replace(before, y=y), 3 * len(piece.table) + p
-    event = Found(_kind_of_vanishing(piece, p), p, None, piece, place, i)
+    event = change_at(piece, replace(before, y=y), 3 * len(piece.table) + p)
     _, coarser = _cubic(piece, before, piece.stepped(before, 2 * length), p)
     return part * length, replace(event, estimate=abs(piece.value(coarser) - event.value))
 

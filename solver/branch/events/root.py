@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 
+from ...arrays import Vector
 from ..piece import Piece
 from ..place import NoStepError, Place
 from ..walk import MEETS, OUTSIDE, OWN
@@ -24,6 +25,14 @@ SMALL, STALLED = 1e-7, 2
 #: Parts of a step tried beside a fold or a flip, and where branches meet: next to that no step
 #: succeeds.
 SIDES = 1e-6, 1e-5, 1e-4, 1e-3
+
+#: Where branches meet, equations are singular: orbits are taken at these places beside, times
+#: the first of these parts of a step that is large enough.
+ACROSS, WIDTHS = (-3, -1, 1, 3), (1e-3, 1e-2, 1e-1)
+
+#: Largest third difference of a smooth function there, as a part of its change: more is seen
+#: where an orbit is one of the other branch.
+BENT = 0.03
 
 
 @dataclass
@@ -63,7 +72,7 @@ class Search:
 def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tuple[float, Place]:
     """Return where in a part of a step a monitor vanishes, and the orbit there (Brent).
 
-    Where branches meet, the equations are singular: then between the orbits on either side.
+    Where branches meet, the equations are singular: see `_across`.
 
     Raises
     ------
@@ -101,11 +110,9 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
     at = search.at if search.least <= search.small else at
-    try:
-        return at, place_at(at)
-    except NoStepError:
-        low, high = either_side(piece, before, at, ends[1] - ends[0])
-        return _between(low, high, i)
+    if own == MEETS:
+        return _across(piece, before, at, ends[1] - ends[0], i)
+    return at, place_at(at)
 
 
 def either_side(
@@ -125,22 +132,58 @@ def either_side(
     raise NoStepError
 
 
-def _between(
-    low: tuple[float, Place], high: tuple[float, Place], i: int
+def _across(
+    piece: Piece, before: Place, at: float, length: float, i: int
 ) -> tuple[float, Place]:
-    """Return where between two near orbits a monitor vanishes, and the orbit there, linearly.
+    """Return where the equations are singular near a place in a step, and the orbit there.
+
+    By interpolation between orbits to either side, as functions of `_singularities`; monitor i
+    vanishes there.
 
     Raises
     ------
     NoStepError
-        If it has one sign.
+        If there are none, or the equations are regular between.
     """
-    (start, one), (end, other) = low, high
-    first, last = float(one.monitors[i]), float(other.monitors[i])
-    if not first * last < 0:
-        raise NoStepError
-    part = first / (first - last)
-    y, maps = (q + part * (r - q) for q, r in ((one.y, other.y), (one.maps, other.maps)))
-    monitors = one.monitors.copy()
+    for part in WIDTHS:
+        with suppress(NoStepError):
+            steps = at + part * length * np.array(ACROSS)
+            places = [piece.stepped(before, float(step)) for step in steps]
+            heights = _singularities(piece, places)
+            rise, bent = heights[-1] - heights[0], np.diff(heights, 3)[0]
+            on_one_branch = (np.diff(heights) * rise > 0).all() and abs(bent) <= BENT * abs(
+                rise
+            )
+            if on_one_branch and heights[0] * heights[-1] < 0:
+                return _at_zero(heights, steps, places, i)
+    raise NoStepError
+
+
+def _singularities(piece: Piece, places: list[Place]) -> Vector:
+    """Return a smooth function of orbits that vanishes where their equations are singular.
+
+    The Jacobian A of each, bordered by one tangent, is bordered by the singular vectors u and w
+    of the least singular value of one of them: g of ``A v + u g = 0, w v = 1`` (W. J. F.
+    Govaerts, 2000).
+    """
+    matrices = [np.vstack([piece.jacobian(q.y), places[0].tangent]) for q in places]
+    left, _, right = np.linalg.svd(matrices[len(matrices) // 2])
+    one = np.eye(len(left) + 1)[-1]
+    bordered = (np.block([[A, left[:, -1:]], [right[-1:], np.zeros((1, 1))]]) for A in matrices)
+    return np.array([np.linalg.solve(each, one)[-1] for each in bordered])
+
+
+def _at_zero(
+    heights: Vector, steps: Vector, places: list[Place], i: int
+) -> tuple[float, Place]:
+    """Return the step and the orbit for which monitor i vanishes, by Lagrange's formula."""
+    apart = heights[:, None] - heights + np.eye(len(heights))
+    weights = np.prod(np.where(np.eye(len(heights)), 1.0, -heights / apart), axis=1)
+    y, maps = (
+        np.tensordot(weights, np.array(each), 1)
+        for each in ([q.y for q in places], [q.maps for q in places])
+    )
+    middle = places[len(places) // 2]
+    monitors = middle.monitors.copy()
     monitors[i] = 0.0
-    return start + part * (end - start), replace(one, y=y, monitors=monitors, maps=maps)
+    return float(weights @ steps), replace(middle, y=y, monitors=monitors, maps=maps)

@@ -5,69 +5,25 @@ A phase of duration zero is inserted or removed, by the rules of which phase may
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
-from itertools import islice
+from dataclasses import replace
+from itertools import islice, product
 
 import numpy as np
 
-from ...scenes.orders import Order, Step, image
+from ...scenes.orders import Step, image
 from ...scenes.parameter_error import ParameterError
 from ...simulation.followers import may_follow
 from ...simulation.machine import Machine
-from ..course import ROUNDING, Course
+from ..course import ROUNDING
 from ..events.locate import Found
 from ..watch import END, LEAST, START, WITHIN
+from .candidate import Candidate, Slot
 
 #: How far beside an event its rules and surfaces are looked at, as a part of an interval.
 BESIDE = 1e-6
 
-
-@dataclass(frozen=True)
-class Slot:
-    """A phase of an orbit.
-
-    Parameters
-    ----------
-    step : Step
-        Which phase.
-    state : tuple of float
-        The state at its start.
-    s : float
-        Its duration.
-    """
-
-    step: Step
-    state: tuple[float, ...]
-    s: float
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """One reading of the orbit at an event: an order of phases, states and durations.
-
-    Parameters
-    ----------
-    slots : tuple of Slot
-    half : bool
-        Whether they are half a period.
-    angle : float
-        Phase of the forcing where the first begins.
-    grows : int or None
-        The number of the inserted phase, whose duration is zero; None without one.
-    endless : bool
-        Whether it is a motion of one phase that never ends.
-    """
-
-    slots: tuple[Slot, ...]
-    half: bool
-    angle: float
-    grows: int | None = None
-    endless: bool = False
-
-    def course(self, old: Course) -> Course:
-        """Return the equations of this order; `old` are those of the branch up to the event."""
-        order = Order(tuple(slot.step for slot in self.slots), self.half)
-        return replace(old, order=order, endless=self.endless)
+#: Parts of a phase that is divided without another one between.
+INTO_TWO = 2
 
 
 class AtEvent:
@@ -92,13 +48,17 @@ class AtEvent:
         p, column = self.event.phase, self.event.column
         assert p is not None
         if column is None:
-            yield from self._without(p)
+            yield from self._without_all() if self.event.at_once else ()
+            yield from self._without(self.orbit, p, p)
             yield from self._swapped(p)
             return
         row = self.event.piece.rows[self.event.row]
         within = row.kind == WITHIN
-        if within and (column == LEAST or self.course.endless):
-            yield from self._touched(p, row.number, column)
+        if within and self.course.endless:
+            yield from self._touched_at_last(row.number, column)
+        elif within and column == LEAST:
+            yield from self._touched(self.event, *self.event.at_once)
+            yield from self._touched(self.event) if self.event.at_once else ()
         elif within and column == START:
             yield from self._between((p - 1) % len(self.slots))
         elif within and column == END:
@@ -129,9 +89,7 @@ class AtEvent:
         first, *rest = candidate.slots
         last = self.next_cell(first, candidate.half)
         angle = candidate.angle + self.cell.omega * first.s
-        grows = (
-            None if candidate.grows is None else (candidate.grows - 1) % len(candidate.slots)
-        )
+        grows = tuple((i - 1) % len(candidate.slots) for i in candidate.grows)
         return Candidate((*rest, last), candidate.half, angle, grows)
 
     def next_cell(self, slot: Slot, half: bool | None = None) -> Slot:
@@ -147,14 +105,30 @@ class AtEvent:
         begun = next(islice(self.rotations(self.orbit), p, None))
         return list(begun.slots), begun.angle
 
-    def _without(self, p: int) -> Iterator[Candidate]:
-        """Yield the order without phase p; its neighbours become one if they are alike."""
-        if len(self.slots) > 1:
-            slots, angle = self._from(p)
+    def _without(self, orbit: Candidate, i: int, p: int) -> Iterator[Candidate]:
+        """Yield an order without its phase i, the orbit's phase p.
+
+        Its neighbours become one if they are alike.
+        """
+        if len(orbit.slots) > 1:
+            begun = next(islice(self.rotations(orbit), i, None))
+            slots, angle = list(begun.slots), begun.angle
             if self._leaps(p):
                 yield Candidate(tuple(slots[1:]), self.half, angle)
             else:
                 yield from self._joined(slots[1:], angle)
+
+    def _without_all(self) -> Iterator[Candidate]:
+        """Yield the order without all phases that vanish at once."""
+        orbit = self.orbit
+        for event in (self.event, *self.event.at_once):
+            vanished = self.slots[event.phase or 0]
+            places = [i for i, slot in enumerate(orbit.slots) if slot is vanished]
+            orbits = [q for i in places for q in self._without(orbit, i, event.phase or 0)]
+            if not orbits or orbits[0].endless:
+                return
+            orbit = orbits[0]
+        yield orbit
 
     def _swapped(self, p: int) -> Iterator[Candidate]:
         """Yield orders in which the events before and behind phase p happen in the other order.
@@ -175,7 +149,7 @@ class AtEvent:
                 between = other != last.step and self._may(step, other)
                 if between and self._may(other, after.step):
                     swapped = (begun, Slot(other, state, 0.0), *rest)
-                    yield Candidate(swapped, self.half, angle, 1)
+                    yield Candidate(swapped, self.half, angle, (1,))
 
     def _leaps(self, p: int) -> bool:
         """Whether the velocity jumps where phase p begins."""
@@ -225,33 +199,55 @@ class AtEvent:
             if self._may(before.step, step) and self._may(step, after.step):
                 inserted = Slot(step, after.state, 0.0)
                 slots = (*self.slots[: p + 1], inserted, *self.slots[p + 1 :])
-                yield Candidate(slots, self.half, self.angle, p + 1)
+                yield Candidate(slots, self.half, self.angle, (p + 1,))
 
-    def _touched(self, p: int, demand: int, column: int) -> Iterator[Candidate]:
-        """Yield orders in which phase p ends at a demand that vanishes inside it.
+    def _touched(self, *events: Found) -> Iterator[Candidate]:
+        """Yield orders in which phases end at demands that vanish inside them."""
+        divided = {event.phase: list(self._divided(event)) for event in events}
+        for every in product(*divided.values()):
+            parts = dict(zip(divided, every, strict=True))
+            slots: list[Slot] = []
+            grows: list[int] = []
+            for p, slot in enumerate(self.slots):
+                own = parts.get(p, [slot])
+                grows += [len(slots) + 1] if len(own) > INTO_TWO else []
+                slots += own
+            yield Candidate(tuple(slots), self.half, self.angle, tuple(grows))
 
-        The start of a motion that never ends counts as inside.
+    def _divided(self, event: Found) -> Iterator[list[Slot]]:
+        """Yield the parts of a phase that a touch divides, with a phase between or without."""
+        slot, row = self.slots[event.phase or 0], event.piece.rows[event.row]
+        arguments = self.equations, event.piece.table, self.z, event.row
+        time = float(self.course.by("when_least", *arguments))
+        state = self.course.state(self.equations, self.z, event.phase or 0, time)
+        for ended, inserted in self._ways_on(slot.step, row.number, state):
+            first = replace(slot, step=ended, s=time)
+            yield [first, *inserted, Slot(slot.step, state, slot.s - time)]
+
+    def _touched_at_last(self, demand: int, column: int) -> Iterator[Candidate]:
+        """Yield orders for a motion that never ended, cut where it touches a surface.
+
+        Its start counts as inside.
         """
-        piece, slot = self.event.piece, self.slots[p]
-        ended = self._ended_by(slot.step, demand)
+        arguments = self.equations, self.event.piece.table, self.z, self.event.row
+        time = 0.0 if column != LEAST else float(self.course.by("when_least", *arguments))
+        state = self.course.state(self.equations, self.z, 0, time)
+        angle, slot = self.angle + self.cell.omega * time, self.slots[0]
+        for ended, inserted in self._ways_on(slot.step, demand, state):
+            yield from self._cut(inserted, Slot(ended, state, slot.s), angle)
+
+    def _ways_on(
+        self, step: Step, demand: int, state: tuple[float, ...]
+    ) -> Iterator[tuple[Step, list[Slot]]]:
+        """Yield how a phase goes on behind a touch: which ended, a phase between or none."""
+        ended = self._ended_by(step, demand)
         if ended is None:
             return
-        arguments = self.equations, piece.table, self.z, self.event.row
-        time = 0.0 if column != LEAST else float(self.course.by("when_least", *arguments))
-        state = self.course.state(self.equations, self.z, p, time)
-        between = [q for q in self.steps if self._may(ended, q) and self._may(q, slot.step)]
-        insertions = [[Slot(step, state, 0.0)] for step in between]
-        if self.machine.node(ended).changes_velocity and self._may(ended, slot.step):
-            insertions.insert(0, [])
-        for inserted in insertions:
-            if self.course.endless:
-                angle = self.angle + self.cell.omega * time
-                yield from self._cut(inserted, Slot(ended, state, slot.s), angle)
-                continue
-            first_part = replace(slot, step=ended, s=time)
-            last_part = Slot(slot.step, state, slot.s - time)
-            slots = (*self.slots[:p], first_part, *inserted, last_part, *self.slots[p + 1 :])
-            yield Candidate(slots, self.half, self.angle, p + 1 if inserted else None)
+        if self.machine.node(ended).changes_velocity and self._may(ended, step):
+            yield ended, []
+        for between in self.steps:
+            if self._may(ended, between) and self._may(between, step):
+                yield ended, [Slot(between, state, 0.0)]
 
     def _ended_by(self, step: Step, demand: int) -> Step | None:
         """Return the phase of the same equation that ends where a demand vanishes."""
@@ -260,7 +256,7 @@ class AtEvent:
 
     def _cut(self, new: list[Slot], rest: Slot, angle: float) -> Iterator[Candidate]:
         """Yield orders for a motion that never ended, cut where it touches a surface."""
-        grows = 0 if new else None
+        grows = (0,) if new else ()
         for step in self.steps if self._symmetric(q.step for q in (*new, rest)) else ():
             other = image(self.machine.cell, new[0].step if new else step)
             if self._alike(step, rest.step) and other is not None and self._may(step, other):

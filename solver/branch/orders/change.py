@@ -19,7 +19,8 @@ from ..for_ever import for_ever
 from ..meeting import halves_apart
 from ..piece import Piece, unit_of
 from ..place import NoStepError, Place
-from .candidates import BESIDE, AtEvent, Candidate
+from .candidate import Candidate
+from .candidates import BESIDE, AtEvent
 
 #: Durations tried for an inserted phase, as parts of a cell, or steps tried along the branch.
 #: The last is for chatter, where a fold is as close.
@@ -109,15 +110,18 @@ def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Pie
     z = _unknowns(event, course, candidate)
     count, forced = len(candidate.slots), piece.cell.forced
     at_s = len(z) - count - forced
-    if candidate.grows is not None:
-        z[at_s + candidate.grows] = ahead * z[at_s : at_s + count].sum()
+    inserted = [at_s + i for i in candidate.grows]
+    z[inserted] = ahead * z[at_s : at_s + count].sum()
+    for i in inserted if len(inserted) > 1 else ():  # else one may come out negative
+        for neighbour in (i - 1, at_s + (i - at_s + 1) % count):
+            z[neighbour] -= z[i] / 2
     number = piece.number(event.place.y)
     beside = np.append(z, number + _beside(piece, number))
     bare = Piece.at(course, piece.case, piece.index, piece.bounds, beside, ())
     y = bare.of_number(np.append(z, number))
-    if candidate.grows is not None:
+    if inserted:
         border = np.zeros(len(y))
-        border[at_s + candidate.grows] = 1.0
+        border[inserted[0]] = 1.0
         return _admitted(bare, _near(bare, y, border, FAR), border)
     border = bare.singular_vectors(y)[-1]
     border *= np.copysign(1.0, border[-1])
