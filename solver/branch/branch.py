@@ -185,6 +185,8 @@ def go(
             cut_where_violated(segment)
             end = segment.end
             orbit = None if end is None else beyond(end)
+            if end is not None and orbit is None:
+                segment.why = f"{end.kind}, beyond which no order of phases is found"
             if orbit is not None and len(orbit[0].course.order.steps) > orbit[0].course.most:
                 segment.why = f"beyond, an orbit has more than {orbit[0].course.most} phases"
                 orbit = None

@@ -221,19 +221,30 @@ def test_where_a_surface_lies_does_not_matter(start: float) -> None:
     np.testing.assert_allclose(*values, rtol=1e-12)
 
 
+def between_stops(
+    damping: float,
+    y: sp.Expr,
+    low: sp.Symbol,
+    high: sp.Symbol,
+    **own: tuple[sp.Symbol, str, float],
+):
+    """Return a mass, displaced by y from its middle, between two elastic stops."""
+    moved = m * a + c * v + k * y - F * forcing
+    below, above = Event(y + low), Event(y - high)
+    phases = (
+        Phase("free", moved, above | below, {"above": y + low, "below": high - y}),
+        Phase("up", moved + 4 * k * (y - high), above, {"on": y - high}),
+        Phase("down", moved + 4 * k * (y + low), below, {"on": -low - y}),
+    )
+    known = (*oscillator(1.0, damping, 1.0, 1.1), *parameters(**own))
+    return ns.scene(Scene("between", "two stops", known, phases, frequency=Omega))
+
+
 def test_a_branch_begins_at_a_symmetric_orbit_where_the_parameter_breaks_the_symmetry() -> None:
     """There half a period is an order of its own, which is none beside it."""
     low, high = sp.symbols("low high", positive=True)
-    moved = m * a + c * v + k * x - F * forcing
-    below, above = Event(x + low), Event(x - high)
-    phases = (
-        Phase("free", moved, above | below, {"above": x + low, "below": high - x}),
-        Phase("up", moved + 3 * k * (x - high), above, {"on": x - high}),
-        Phase("down", moved + 3 * k * (x + low), below, {"on": -low - x}),
-    )
-    gaps = parameters(low=(low, "m", 0.5), high=(high, "m", 0.5))
-    known = oscillator(1.0, 0.1, 1.0, 1.1)
-    case = ns.scene(Scene("gaps", "two stops", (*known, *gaps), phases, frequency=Omega))()
+    gaps = {"low": (low, "m", 0.5), "high": (high, "m", 0.5)}
+    case = between_stops(0.1, x, low, high, **gaps)()
     assert exact_orbit(case).case.scene.half_period
     assert both_ways(case, "high", (0.3, 0.8), (0.5, 0.55)) == [[], []]
 
@@ -241,22 +252,18 @@ def test_a_branch_begins_at_a_symmetric_orbit_where_the_parameter_breaks_the_sym
 def test_where_the_middle_lies_does_not_matter() -> None:
     """An orbit symmetric about another place touches both stops at once, and loses symmetry."""
     s, g = sp.Symbol("s", real=True), sp.Symbol("g", positive=True)
-    y, found = x - s, []
-    moved = m * a + c * v + k * y - F * forcing
-    low, high = Event(y + g), Event(y - g)
-    phases = (
-        Phase("free", moved, high | low, {"above": y + g, "below": g - y}),
-        Phase("up", moved + 5 * k * (y - g), high, {"on": y - g}),
-        Phase("down", moved + 5 * k * (y + g), low, {"on": -g - y}),
-    )
-    own = parameters(middle=(s, "m", 0.0), gap=(g, "m", 0.7))
-    known = oscillator(1.0, 0.02, 1.0, 1.1)
-    stops = ns.scene(Scene("middle", "two stops", (*known, *own), phases, frequency=Omega))
+    stops = between_stops(0.02, x - s, g, g, middle=(s, "m", 0.0), gap=(g, "m", 0.7))
+    found = []
     for middle in (0.0, 0.3):
         branch = ns.branch(stops(middle=middle), "frequency", 0.2, 1.2)
         assert branch.why_it_ended == ("the end of the range",) * 2
-        found.append(sorted((event.kind, event.parameter) for event in branch.events))
-    assert [kind for kind, _ in found[0]].count("branch-point") == 6
-    for (kind, value), (other, elsewhere) in zip(*found, strict=True):
-        assert kind == other
-        assert value == pytest.approx(elsewhere, rel=1e-9 if kind == "branch-point" else 1e-12)
+        found.append(sorted(branch.events, key=lambda event: event.parameter))
+    kinds = [event.kind for event in found[0]]
+    assert (kinds.count("branch-point"), kinds.count("grazing")) == (7, 4)
+    for one, other in zip(*found, strict=True):
+        off = 1e-12 + 2 * other.estimate if one.kind == "branch-point" else 1e-12
+        assert (one.kind, one.parameter) == (
+            other.kind,
+            pytest.approx(other.parameter, abs=off),
+        )
+        assert other.estimate < 1e-6

@@ -27,6 +27,9 @@ from nonsmooth.solver.scenes.parameter_error import ParameterError
 #: Most of the range of a parameter in a step.
 PART = 1 / 8
 
+#: What is said where a branch ends with an event.
+BEYOND = "beyond which no order of phases is found"
+
 
 @pytest.fixture(autouse=True)
 def few_steps(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -102,7 +105,7 @@ def test_a_slip_vanishes_where_friction_just_holds() -> None:
         return float(v["absorber_mass"] * omega**2 * abs(moved))
 
     branch = ns.branch(case, "frequency", 0.5, 2.1)
-    assert branch.why_it_ended == ("sticking", "sticking")
+    assert {why.split(",")[0] for why in branch.why_it_ended} == {"sticking"}
     assert {event.kind for event in branch.events} == {"sticking"}
     low, high = min(branch.events, key=_value), max(branch.events, key=_value)
     for event in (low, high):
@@ -120,7 +123,7 @@ def test_a_flight_vanishes_where_the_stop_holds_the_mass_for_ever(name, ends, ex
     found = ns.branch(ns.scene("impact-inelastic")(**values), name, *ends)
     (event,) = [q for q in found.events if q.phase == "flight"]
     assert event.kind == "sticking"
-    assert event.kind in found.why_it_ended
+    assert f"{event.kind}, {BEYOND}" in found.why_it_ended
     assert event.parameter == pytest.approx(expected, rel=2e-15)
 
 
@@ -162,7 +165,7 @@ def test_a_slip_of_a_joint_vanishes_where_friction_just_holds(monkeypatch, tmp_p
     law = case.cell.phases[0].laws[0]
     wanted = case.values["force"] * abs(law[3] / law[4]) / force
     branch = ns.branch(case, "force", 0.5 * wanted, 1.5 * wanted)
-    assert "sticking" in branch.why_it_ended
+    assert f"sticking, {BEYOND}" in branch.why_it_ended
     (event,) = branch.events
     assert event.parameter == pytest.approx(wanted, rel=1e-12)
 
@@ -176,7 +179,7 @@ def test_a_slider_stops_where_its_spring_just_holds() -> None:
         return float(k * abs(second - first))
 
     branch = ns.branch(case, "frequency", 0.6, 1.8)
-    assert branch.why_it_ended == ("vanishing", "vanishing")
+    assert {why.split(",")[0] for why in branch.why_it_ended} == {"vanishing"}
     for event in branch.events:
         wanted = at_the_limit(case, force, event.parameter)
         assert event.parameter == pytest.approx(wanted, rel=1e-14)

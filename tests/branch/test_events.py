@@ -206,7 +206,10 @@ def test_half_a_period_loses_its_symmetry_where_a_reference_says() -> None:
 
 def test_where_no_order_goes_on_it_is_said() -> None:
     branch, _ = response("backlash")  # without a spring in the gap, the mass may drift there
-    assert branch.why_it_ended == ("the end of the range", "grazing")
+    assert [why.split(",")[0] for why in branch.why_it_ended] == [
+        "the end of the range",
+        "grazing",
+    ]
     assert branch.rows[-1].stable is None
 
 
@@ -315,7 +318,8 @@ def test_flow_vanishes_where_elastic_motion_just_reaches_the_yield_force(
     scene = ns.scene(file if load else "elastic-plastic")
     found = ns.branch(scene(**own, frequency=1.3), "frequency", 1.2, 2.2)
     (event,) = found.events
-    assert (event.kind, found.why_it_ended[1]) == ("vanishing", "vanishing")
+    beyond_it = "vanishing, beyond which no order of phases is found"
+    assert (event.kind, found.why_it_ended[1]) == ("vanishing", beyond_it)
 
     def beyond(omega: float) -> float:
         """By amplitude 1 of the force, m = k = 1, c = 0.1, h = 0.2, F_y = 0.5."""
@@ -390,7 +394,7 @@ def test_impacts_that_follow_ever_faster_are_put_in() -> None:
 def test_behind_a_touch_a_branch_has_one_impact_more(values, vary, ends) -> None:
     branch = ns.branch(ns.scene("impact")(**values), vary, *ends)
     assert {row.motion for row in branch.rows} >= {None, "flight,flight"}
-    assert "grazing" not in branch.why_it_ended
+    assert "grazing" not in " ".join(branch.why_it_ended)
 
 
 def test_what_is_not_watched_ends_a_branch_by_the_solver(monkeypatch) -> None:
@@ -485,5 +489,7 @@ def test_a_branch_begins_at_a_touch_on_the_side_where_there_are_orbits(ulps: int
     spring = ns.scene("clearance")(**SPRING, frequency=start)
     branch = ns.branch(spring, "frequency", start, 1.2)
     kinds, edge = [event.kind for event in branch.events], "the end of the range"
-    at_touch = kinds == ["grazing"] and sorted(branch.why_it_ended) == ["grazing", edge]
+    at_touch = kinds == ["grazing"] and any(
+        why.startswith("grazing,") for why in branch.why_it_ended
+    )
     assert at_touch or (ulps > 0 and not kinds and branch.why_it_ended == (edge, edge))
