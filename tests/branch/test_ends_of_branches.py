@@ -193,7 +193,7 @@ def test_no_motion_is_followed_of_which_there_is_one_for_each_memory() -> None:
         frequency=0.845,
     )  # fmt: skip
     branch = ns.branch(case, "friction", 0.039, 0.061)
-    assert branch.why_it_ended == ("the end of the range", "vanishing")
+    assert branch.why_it_ended == ("the end of the range", f"vanishing, {BEYOND}")
     assert {row.motion for row in branch.rows} == {None}
 
 
@@ -221,7 +221,7 @@ def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:
     latch = ns.scene(scene)
     found = ns.branch(latch(), "gap", 0.9, 1.2)
     (event,) = found.events
-    assert found.why_it_ended == ("the end of the range", event.kind)
+    assert found.why_it_ended == ("the end of the range", f"{event.kind}, {BEYOND}")
     freely = exact_orbit(latch(gap=event.parameter, least=1e-3))
     _, speed, *_ = signals(Given(freely.case.cell, 0), freely.times, 0, np.ones(1))[:, 0]
     assert speed * freely.case.units.of_motion(1) == pytest.approx(1.4, rel=1e-13)
