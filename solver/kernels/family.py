@@ -89,11 +89,20 @@ class Family:
         """Call a function of a module, compiled if that pays by now; count the time if not.
 
         Each function has its own account: one that is called now and then is not compiled.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            Of Ctrl-C while numba reads arguments or makes the result, too: Python says then
+            that the function returned a result with an exception set.
         """
         account = self.account_of(module, function)
         if account.pays() or (self.long_calls and account.is_cached()):
             account.is_compiled = True
-            return self.compiled(module)[function](*arguments)
+            try:
+                return self.compiled(module)[function](*arguments)
+            except SystemError as error:
+                raise error.__cause__ or error from None
         with account.spending():
             return self.plain(module)[function](*arguments)
 

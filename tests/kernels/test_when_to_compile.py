@@ -212,3 +212,17 @@ def test_what_others_call_has_no_machine_code_until_python_calls_it() -> None:
     with pytest.raises(KeyError):
         names["double"](3.0)
     assert entries["double"](3.0) == 6.0
+
+
+def test_ctrl_c_within_a_call_is_ctrl_c(monkeypatch) -> None:
+    """Python then calls it an error that a result is returned with an exception set."""
+
+    def interrupted() -> None:
+        cause = KeyboardInterrupt()
+        raise SystemError("returned a result with an exception set") from cause
+
+    family = Family(lambda module, make: {"double": double}, ())
+    monkeypatch.setattr(Family, "compiled", lambda *_: {"double": interrupted})
+    monkeypatch.setattr(Account, "pays", lambda _: True)
+    with pytest.raises(KeyboardInterrupt):
+        family.call(__name__, "double")
