@@ -1,7 +1,7 @@
 """Where a monitor vanishes in a step of a branch, and the orbit there."""
 
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -146,15 +146,13 @@ def _across(
         If there are none, or the equations are regular between.
     """
     for part in WIDTHS:
-        with suppress(NoStepError):
+        with suppress(NoStepError, np.linalg.LinAlgError):
             steps = at + part * length * np.array(ACROSS)
             places = [piece.stepped(before, float(step)) for step in steps]
             heights = _singularities(piece, places)
             rise, bent = heights[-1] - heights[0], np.diff(heights, 3)[0]
-            on_one_branch = (np.diff(heights) * rise > 0).all() and abs(bent) <= BENT * abs(
-                rise
-            )
-            if on_one_branch and heights[0] * heights[-1] < 0:
+            is_monotone = (np.diff(heights) * rise > 0).all()
+            if is_monotone and abs(bent) <= BENT * abs(rise) and heights[0] * heights[-1] < 0:
                 return _at_zero(heights, steps, places, i)
     raise NoStepError
 
@@ -179,11 +177,10 @@ def _at_zero(
     """Return the step and the orbit for which monitor i vanishes, by Lagrange's formula."""
     apart = heights[:, None] - heights + np.eye(len(heights))
     weights = np.prod(np.where(np.eye(len(heights)), 1.0, -heights / apart), axis=1)
-    y, maps = (
-        np.tensordot(weights, np.array(each), 1)
-        for each in ([q.y for q in places], [q.maps for q in places])
-    )
-    middle = places[len(places) // 2]
-    monitors = middle.monitors.copy()
+    parts = {
+        name: np.tensordot(weights, np.array([getattr(place, name) for place in places]), 1)
+        for name in ("y", "tangent", "extremes", "maps")
+    }
+    monitors = places[len(places) // 2].monitors.copy()
     monitors[i] = 0.0
-    return float(weights @ steps), replace(middle, y=y, monitors=monitors, maps=maps)
+    return float(weights @ steps), Place(monitors=monitors, **parts)
