@@ -17,6 +17,8 @@ from ..scenes.parameter_error import ParameterError
 from .branch import BothWays, Bounds, go, lasts_at, orbits_at, start_of
 from .follow import TWICE
 from .orders.change import doubled
+from .piece import Piece
+from .place import Place
 
 #: Differences of values at which branches meet, as parts of them, that are one.
 NEAR = 1e-5
@@ -46,8 +48,10 @@ def every_way(
             earlier.append(followed)
             yield followed
     met = [value for followed in earlier for value in _met(followed)]
-    for followed in earlier:
-        yield from _doubled(followed, beside, met, progress)
+    for followed in tuple(earlier):
+        for other in _doubled(followed, beside, met, earlier, progress):
+            earlier.append(other)
+            yield other
 
 
 def _met(followed: BothWays) -> list[float]:
@@ -86,11 +90,13 @@ def motions_for_ever(case: Case) -> list[WithoutSwitches]:
 
 
 def _doubled(
-    parent: BothWays, kinds: Container[str], met: Sequence[float], progress: Seen
-) -> Iterator[BothWays]:
+    parent: BothWays, kinds: Container[str], met: Sequence[float], known: Sequence[BothWays],
+    progress: Seen,
+) -> Iterator[BothWays]:  # fmt: skip
     """Yield the branches at the flips of another, and where symmetry is lost on it.
 
-    Left out are the values `met` at which they are known.
+    Left out are those at the values `met` at which they are known, and those of orbits that
+    are on `known` branches.
     """
     met = list(met)
     for event in parent.events():
@@ -100,11 +106,17 @@ def _doubled(
         start = None
         with suppress(ArithmeticError, ParameterError, UnknownScene):
             start = doubled(event)
-        if start is not None:
+        if start is not None and not _is_known(known, *start):
             followed = BothWays(parent.index, start[0].course)
             go(followed, start, progress=progress)
             met += [each.value for each in followed.events()]
             yield followed
+
+
+def _is_known(known: Iterable[BothWays], piece: Piece, place: Place) -> bool:
+    """Whether an orbit is on one of some branches."""
+    orbit, value = piece.orbit(place.y), piece.value(place.y)
+    return orbit is not None and any(_is_on(followed, orbit, value) for followed in known)
 
 
 def _orbits(case: Case) -> list[ExactOrbit]:

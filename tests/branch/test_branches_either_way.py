@@ -6,6 +6,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.solver import branches
 from nonsmooth.solver.branch import course
 from nonsmooth.solver.branch.walk import OUTSIDE, OWN, dips
 from nonsmooth.solver.branch.watch import rises
@@ -269,3 +270,20 @@ def test_where_the_middle_lies_does_not_matter() -> None:
             pytest.approx(other.parameter, abs=off),
         )
         assert other.estimate < 1e-6
+
+
+def test_where_an_orbit_loses_a_symmetry_about_another_place_there_are_others(
+    monkeypatch,
+) -> None:
+    """They are as many as about 0, where half a period of the symmetric orbit is followed."""
+    s, g = sp.Symbol("s", real=True), sp.Symbol("g", positive=True)
+    stops = between_stops(0.02, x - s, g, g, middle=(s, "m", 0.0), gap=(g, "m", 0.7))
+    unsymmetric = []
+    monkeypatch.setattr(branches, "VALUES", 2)  # at the ends there are none
+    for middle in (0.0, 0.3):
+        found = ns.branches(stops(middle=middle), "frequency", 0.65, 1.2)
+        assert [event.kind for event in found[0].events] == ["branch-point"] * 2
+        (other,) = (q for q in found[1:] if any(e.kind == "fold" for e in q.events[:6]))
+        unsymmetric.append({round(e.parameter, 8) for e in other.events if e.kind == "fold"})
+    assert unsymmetric[0] == unsymmetric[1]
+    assert len(unsymmetric[0]) == 4

@@ -3,6 +3,7 @@
 `candidates` proposes orders; the first with an admissible orbit a little beyond is taken.
 """
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from itertools import islice
@@ -19,6 +20,7 @@ from ..for_ever import for_ever
 from ..meeting import halves_apart
 from ..piece import Piece, unit_of
 from ..place import NoStepError, Place
+from ..walk import MEETS, OWN
 from .candidate import Candidate
 from .candidates import BESIDE, AtEvent
 
@@ -32,6 +34,9 @@ SAME, FAR = 1e-4, 1.0
 
 #: Steps tried away from a flip.
 ASIDE = (1e-4, 1e-2, 1e-3, 3e-2, 1e-1)
+
+#: The same across a branch that another one meets: nearer, it is not told from the first.
+FARTHER = (1e-1, 3e-2, 1e-2)
 
 
 def beyond(event: Found) -> tuple[Piece, Place] | None:
@@ -54,11 +59,16 @@ def doubled(event: Found) -> tuple[Piece, Place] | None:
     """Return an orbit of twice the period beside a flip, or an unsymmetric one; else None.
 
     The equations of the doubled orbit have a two-dimensional null space at the flip.  The
-    search starts along its direction in which the two halves of the orbit differ.
+    search starts along its direction in which the two halves of the orbit differ.  Where
+    branches meet, the orbit itself has such a null space: there across its own branch.
     """
-    at_event, piece = AtEvent(event), event.piece
+    at_event, piece, place = AtEvent(event), event.piece, event.place
     if at_event.course.endless:
         return None
+    if event.monitor == len(place.monitors) - OWN + MEETS:
+        one, other = piece.singular_vectors(place.y)[-2:]
+        across = (other @ place.tangent) * one - (one @ place.tangent) * other
+        return _aside(piece, place.y, across / np.linalg.norm(across), FARTHER)
     slots = (*at_event.slots, *map(at_event.next_cell, at_event.slots))
     order = Order(tuple(slot.step for slot in slots))
     cycles = piece.course.cycles * (1 if at_event.half else 2)
@@ -70,7 +80,14 @@ def doubled(event: Found) -> tuple[Piece, Place] | None:
     null_space = bare.singular_vectors(y)[-2:]
     differences = [halves_apart(bare, direction) for direction in null_space]
     border = np.linalg.svd(np.array(differences).T)[2][0] @ null_space
-    for distance in ASIDE:
+    return _aside(bare, y, border)
+
+
+def _aside(
+    bare: Piece, y: Vector, border: Vector, distances: Sequence[float] = ASIDE
+) -> tuple[Piece, Place] | None:
+    """Return an admissible orbit that is aside from one in a direction; None without one."""
+    for distance in distances:
         with suppress(ArithmeticError, ParameterError):
             y_aside = bare.corrected(y + distance * border / bare.along.weights, border)
             return _admitted(bare, y_aside, border)
