@@ -236,15 +236,18 @@ def between_stops(
     below, above = Event(y + low), Event(y - high)
     phases = (
         Phase("free", moved, above | below, {"above": y + low, "below": high - y}),
-        Phase("up", moved + 4 * k * (y - high), above, {"on": y - high}),
-        Phase("down", moved + 4 * k * (y + low), below, {"on": -low - y}),
+        Phase("up", moved + 3 * k * (y - high), above, {"on": y - high}),
+        Phase("down", moved + 3 * k * (y + low), below, {"on": -low - y}),
     )
     known = (*oscillator(1.0, damping, 1.0, 1.1), *parameters(**own))
     return ns.scene(Scene("between", "two stops", known, phases, frequency=Omega))
 
 
 def test_a_branch_begins_at_a_symmetric_orbit_where_the_parameter_breaks_the_symmetry() -> None:
-    """There half a period is an order of its own, which is none beside it."""
+    """There half a period is an order of its own, which is none beside it.
+
+    The forces of the two stops differ by rounding: 1.5 and 1.5000000000000002.
+    """
     low, high = sp.symbols("low high", positive=True)
     gaps = {"low": (low, "m", 0.5), "high": (high, "m", 0.5)}
     case = between_stops(0.1, x, low, high, **gaps)()
@@ -262,14 +265,14 @@ def test_where_the_middle_lies_does_not_matter() -> None:
         assert branch.why_it_ended == ("the end of the range",) * 2
         found.append(sorted(branch.events, key=lambda event: event.parameter))
     kinds = [event.kind for event in found[0]]
-    assert (kinds.count("branch-point"), kinds.count("grazing")) == (7, 4)
+    assert (kinds.count("branch-point"), kinds.count("grazing")) == (6, 5)
     for one, other in zip(*found, strict=True):
-        off = 1e-12 + 2 * other.estimate if one.kind == "branch-point" else 1e-12
+        off = 1e-12 + 4 * other.estimate
         assert (one.kind, one.parameter) == (
             other.kind,
             pytest.approx(other.parameter, abs=off),
         )
-        assert other.estimate < 1e-6
+        assert other.estimate < 1e-9
 
 
 def test_where_an_orbit_loses_a_symmetry_about_another_place_there_are_others(

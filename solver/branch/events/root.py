@@ -32,7 +32,7 @@ ACROSS, WIDTHS = (-3, -1, 1, 3), (1e-3, 1e-2, 1e-1)
 
 #: Largest third difference of a smooth function there, as a part of its change: more is seen
 #: where an orbit is one of the other branch.
-BENT = 0.03
+BENT = 1e-3
 
 
 @dataclass
