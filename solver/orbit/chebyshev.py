@@ -27,7 +27,7 @@ NOISE = 1e-8
 #: followed, or consists mostly of rounding errors.
 SHORTEST, MOST = 2.0**-40, 256
 
-#: Coefficients below this, relative to the largest, are rounding errors of the values.
+#: Coefficients below this, relative to the values, are their rounding errors.
 ROUNDING = 1e-14
 
 #: Largest distance of a root from [-1, 1], or from the real axis, to be a candidate.
@@ -48,13 +48,17 @@ class Piece:
         scale = 2 / (self.end - self.start)
         return np.asarray(chebyshev.chebder(self.coefficients, times, scl=scale))
 
+    def significant(self, size: float) -> Vector:
+        """Return the coefficients up to the last that is no rounding of values of a size."""
+        above = np.flatnonzero(np.abs(self.coefficients) > ROUNDING * size)
+        return self.coefficients[: int(above.max(initial=0)) + 1]
+
     def critical_points(self) -> Vector:
         """Return the real roots of the derivative, and points near roots up to rounding."""
-        sizes = np.abs(self.coefficients)
-        count = int(np.nonzero(sizes > ROUNDING * sizes.max(initial=0.0))[0].max(initial=0)) + 1
-        if count == 1:
+        series = self.significant(float(np.abs(self.coefficients).max()))
+        if len(series) == 1:
             return np.empty(0)
-        roots = chebyshev.chebroots(chebyshev.chebder(self.coefficients[:count]))
+        roots = chebyshev.chebroots(chebyshev.chebder(series))
         near = (np.abs(roots.imag) <= NEAR) & (np.abs(roots.real) <= 1 + NEAR)
         w = np.clip(roots[near].real, -1.0, 1.0)
         return np.asarray(self.start + (self.end - self.start) * (1 + w) / 2)

@@ -4,7 +4,7 @@ Against the exact orbit it is the error; against a better orbit the estimate of 
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -96,10 +96,52 @@ def derivative(motion: Motion, p: int, u: Vector, order: int) -> Vector:
     """
     if order <= 2 or motion.case.scene.has_body:
         return motion.part(p, u, order)
-    parts = chebyshev.pieces(lambda w: motion.part(p, w, 2))
-    duration = float(motion.cell_durations[p])
-    times = order - 2
+    times, duration = order - 2, float(motion.cell_durations[p])
+    parts = _acceleration_pieces(motion, p, size_of_forces(motion, p))
     return chebyshev.derivative_at(parts, u, times) / duration**times
+
+
+def rounding_of_derivative(motion: Motion) -> float:
+    """Return the rounding error of `Errors.discontinuous` of one mass, over machine epsilon.
+
+    The acceleration is a sum of forces, which may nearly cancel; its derivatives are those of
+    an interpolant.  A derivative multiplies rounding errors by the degree over the duration.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> from nonsmooth.solver.exact import exact_orbit
+    >>> case = registry.load("dry-friction")(force=0.3001)  # hardly more than friction
+    >>> f"{rounding_of_derivative(exact_orbit(case)):.0e}"
+    '5e+03'
+    """
+    order = max(motion.case.cell.k + 1, 2)
+    u, weights = panels([], 2)
+    squared_error = squared_norm = 0.0
+    for p, s in enumerate(motion.cell_durations):
+        size = size_of_forces(motion, p)
+        squared_norm += float(s * (weights @ derivative(motion, p, u, order) ** 2))
+        for part in _acceleration_pieces(motion, p, size):
+            duration = float(s) * (part.end - part.start)
+            error = size * (len(part.coefficients) / duration) ** (order - 2)
+            squared_error += duration * error**2
+    return math.sqrt(squared_error / squared_norm) if squared_norm else 0.0
+
+
+def size_of_forces(motion: Motion, p: int) -> float:
+    """Return the largest sum of the sizes of the forces on one mass in phase `p`, over it."""
+    phase = motion.cell.phases[p]
+    if phase.held:
+        return 0.0
+    x, v = (motion.part(p, LOOK, j) for j in (0, 1))
+    of_state = np.abs(phase.c * v) + np.abs(phase.k * x)
+    return (abs(phase.f) + abs(phase.g) + float(of_state.max())) / phase.m
+
+
+def _acceleration_pieces(motion: Motion, p: int, size: float) -> list[chebyshev.Piece]:
+    """Return interpolants of the acceleration in phase `p`, a sum of forces of a size."""
+    parts = chebyshev.pieces(lambda w: motion.part(p, w, 2), size)
+    return [replace(part, coefficients=part.significant(size)) for part in parts]
 
 
 def acceleration_error(motion: Motion, reference: Motion, waves: int) -> float:

@@ -226,3 +226,13 @@ def test_it_covers_what_forces_that_nearly_cancel_are_rounded_by(order, excess) 
     assert off is not None
     assert off.switches <= 2 * found.switches
     assert off.discontinuous <= 2 * found.discontinuous
+
+
+@pytest.mark.parametrize(("stiffness", "order"), [(112, 34), (1300, 24), (3800, 31)])
+def test_it_covers_the_rounding_of_a_third_derivative(stiffness: float, order: int) -> None:
+    """It is that of an acceleration, times the degree over the time: much in a short phase."""
+    case = ns.scene("elastic-plastic")(stiffness=stiffness)
+    orbit = ns.solve(case, "ck-tau", order)
+    off, found = orbit.errors, orbit.estimate
+    assert off is not None
+    assert 1e-14 < off.discontinuous <= found.discontinuous <= 20 * off.discontinuous
