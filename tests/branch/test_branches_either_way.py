@@ -267,7 +267,7 @@ def test_where_the_middle_lies_does_not_matter() -> None:
     kinds = [event.kind for event in found[0]]
     assert (kinds.count("branch-point"), kinds.count("grazing")) == (6, 5)
     for one, other in zip(*found, strict=True):
-        off = 1e-12 + 4 * other.estimate
+        off = 1e-12 + other.estimate
         assert (one.kind, one.parameter) == (
             other.kind,
             pytest.approx(other.parameter, abs=off),

@@ -27,6 +27,9 @@ SHORT = 1e-6
 #: Least imaginary part of a complex multiplier, relative.
 TURNED = 1e-7
 
+#: Safety factor of the estimate where branches meet: interpolation from both sides may err alike.
+SAFETY = 4.0
+
 #: The kinds of events of the orbit as a whole, by the last monitors.
 OF_THE_ORBIT = {FOLD: "fold", FLIP: "flip", MEETS: "branch-point", OUTSIDE: "torus"}
 
@@ -89,7 +92,8 @@ def estimated(event: Found, after: Place, length: float) -> Found:
         _, place = root(piece, after, ends, event.monitor)
     except NoStepError:  # behind a phase that has no duration nothing is smooth
         return replace(event, estimate=max(least, event.estimate))
-    return replace(event, estimate=max(least, abs(piece.value(place.y) - value)))
+    factor = SAFETY if event.monitor - len(place.monitors) + OWN == MEETS else 1.0
+    return replace(event, estimate=max(least, factor * abs(piece.value(place.y) - value)))
 
 
 def located(
