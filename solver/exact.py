@@ -5,7 +5,7 @@ from itertools import chain, islice
 
 import numpy as np
 
-from .existence.known import known, known_orbits
+from .existence.known import are_one, known, known_orbits
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
 from .in_order import settled_cases
 from .kernels.start import PATIENCE, RoughTimes, rough_times
@@ -86,9 +86,9 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
     """
     if case.scene.motion is not None:
         return None
-    starts = chain(_declared(case) if beside else (), settled_cases(case))
+    of_declared = _admissible(_declared(case)) if beside else ()
     unstable = None
-    for orbit in _admissible(starts):
+    for orbit in chain(of_declared, settled_orbits(case)):
         if is_stable(orbit) is not False:
             return orbit
         unstable = unstable or orbit
@@ -96,8 +96,14 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
 
 
 def settled_orbits(case: Case) -> Iterator[ExactOrbit]:
-    """Yield the exact orbits on which simulations settle; none if the case names a motion."""
-    return _admissible(settled_cases(case) if case.scene.motion is None else ())
+    """Yield the exact orbits on which simulations settle; none if the case names a motion.
+
+    After an unstable one, the others of the same order of phases follow, if they can be listed.
+    """
+    for orbit in _admissible(settled_cases(case) if case.scene.motion is None else ()):
+        yield orbit
+        if is_stable(orbit) is False:
+            yield from (q for q in known(orbit.case).orbits if not are_one(q, orbit))
 
 
 def _admissible(starts: Iterable[tuple[Case, RoughTimes]]) -> Iterator[ExactOrbit]:

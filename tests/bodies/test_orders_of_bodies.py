@@ -4,13 +4,15 @@ import math
 
 import numpy as np
 import pytest
+import sympy as sp
 from bodies.reference_bodies import case, of, references
 
 import nonsmooth as ns
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import bodies
 from nonsmooth.solver.existence.known import known_orbits
-from nonsmooth.solver.in_order import motion_of
+from nonsmooth.solver.in_order import motion_of, settled_cases
 from nonsmooth.solver.iteration.many import converged
 from nonsmooth.solver.kernels import bodies as kernels
 from nonsmooth.solver.kernels import registry
@@ -21,6 +23,7 @@ from nonsmooth.solver.scenes.loaded import UnknownScene
 from nonsmooth.solver.scenes.mirror import mirror
 from nonsmooth.solver.scenes.ordered import MIRRORED, in_order
 from nonsmooth.solver.scenes.orders import Order, Step, image
+from nonsmooth.solver.stability.stability import is_stable
 
 SHIPPED = {q.name: q for q in map(registry.load, registry.names()) if q.has_body}
 
@@ -166,3 +169,31 @@ def test_a_slider_that_holds_and_goes_on_as_before() -> None:
     found = [q.duration for q in motion.phases[-5:-1]]
     turned = [np.roll(orbit.durations[:4], turn) for turn in range(4)]
     assert min(np.abs(np.subtract(own, found)).max() for own in turned) < 1e-9
+
+
+def test_where_motions_settle_on_no_stable_orbit_the_others_of_their_orders_are_tried() -> None:
+    """A ball between two stops: motions come near to unstable orbits, one of two phases."""
+    body = Body(
+        M=[[1, 0], [0, 0.5]], C=[[0.1, -0.05], [-0.05, 0.05]], K=[[2, 0], [0, 0]],
+        forcing=[1, 0], at={"contact": [-1, 1]},
+    )  # fmt: skip
+    contact, (g, k, Omega) = body.at["contact"], sp.symbols("g k Omega", positive=True)
+    above, below = Event(contact.x - g), Event(contact.x + g)
+    away = {"above": contact.x + g, "below": g - contact.x}
+    phases = (
+        Phase("open", contact.force, above | below, away),
+        Phase("up", contact.force + k * (contact.x - g), above, {"on": contact.x - g}),
+        Phase("down", contact.force + k * (contact.x + g), below, {"on": -g - contact.x}),
+    )
+    numbers = (
+        ("gap", g, "m", 0.2),
+        ("stop", k, "N/m", 3),
+        ("frequency", Omega, "rad/s", 0.9),
+    )
+    parameters = tuple(Parameter(*q, q[0]) for q in numbers)
+    own = ns.scene(Scene("ball", "", parameters, phases, frequency=Omega, body=body))()
+    reached = (from_times(*settled) for settled in settled_cases(own))
+    assert {is_stable(q) for q in reached if q.outcome.converged and q.admissible} == {False}
+    orbit = exact_orbit(own)
+    assert is_stable(orbit)
+    assert orbit.case.scene.motion == "open,up,mirrored"

@@ -27,7 +27,7 @@ SHORT = 1e-6
 #: Least imaginary part of a complex multiplier, relative.
 TURNED = 1e-7
 
-#: Safety factor of the estimate where branches meet: interpolation from both sides may err alike.
+#: Safety factor of the estimate where branches meet: both interpolations may err alike.
 SAFETY = 4.0
 
 #: The kinds of events of the orbit as a whole, by the last monitors.
