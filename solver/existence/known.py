@@ -16,7 +16,7 @@ import numpy as np
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
-from ..orbit.admissible import Undecided, are_same, is_seen_violated
+from ..orbit.admissible import Undecided, are_same, seen_violated
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.bodies.cell import BodyCell
@@ -144,7 +144,7 @@ def _sorted(solutions: Iterable[ExactOrbit], complete: bool) -> Known:
 
 def _is_none(solution: ExactOrbit) -> bool:
     """Whether a refused solution certainly violates a demand."""
-    if is_seen_violated(solution):
+    if seen_violated(solution):
         return True
     return any(not isinstance(why, Undecided) for why in solution.violations)
 

@@ -12,7 +12,7 @@ from ..bodies.part import parts_of
 from ..flow import flow
 from ..kernels.registry import names
 from ..no_orbit import NoOrbit
-from ..orbit.admissible import THROUGHOUT
+from ..orbit.admissible import THROUGHOUT, seen_violated
 from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
@@ -22,8 +22,8 @@ from ..simulation.lasting import response
 from . import two_phases
 from .known import Known, known
 
-#: Most refused solutions that are described.
-TOLD = 3
+#: Most refused solutions that are described, and most among which these are chosen.
+TOLD, EXAMINED = 3, 50
 
 #: Relative distance of the ratio of two frequencies from a whole number that is rounding.
 NEAR = 1e-9
@@ -70,14 +70,16 @@ def _refusals(solutions: Known) -> tuple[str, ...]:
     sign of that demand were the other: in a scene of the user's it may be a mistake.
     """
     several = len(solutions.refused[0].cell_durations) > 1
+    likely = sorted(solutions.refused, key=seen_violated)[:EXAMINED]
     reasons = []
-    for orbit in sorted(solutions.refused, key=lambda q: (len(q.violations), not _by_sign(q))):
+    for orbit in sorted(likely, key=lambda q: (len(q.violations), not _by_sign(q))):
         name, own = orbit.case.cell.phases[0].name, orbit.case.scene.name not in names()
         head = f"{name} {orbit.durations[0]:.4g} s, " if several else ""
         question = "; is the sign of this demand right?" if own and _by_sign(orbit) else ""
         reasons.append(head + "; ".join(orbit.violations) + question)
     lines = [f"solution {i}: {why}" for i, why in enumerate(dict.fromkeys(reasons), 1)]
-    rest = [f"and {len(lines) - TOLD} more"] if len(lines) > TOLD else []
+    more = len(lines[TOLD:]) + len(solutions.refused) - len(likely)
+    rest = [f"and {more} more"] if more else []
     return (*lines[:TOLD], *rest)
 
 

@@ -40,6 +40,10 @@ DURATION_STEP, ANGLE_STEP = 0.4, 0.8
 #: Largest ratio of a simplified Newton correction to the one before with which it is applied.
 FAST = 0.125
 
+#: Largest step for which its Jacobian tells whether simplified corrections have converged: one
+#: at states far from the solution may have columns of another size.
+NEAR = 0.5
+
 #: After a last correction above this, the residual is evaluated once more.
 AGAIN = ROUNDOFF
 
@@ -168,7 +172,7 @@ def iterate_within(
             add(z, longest_damping(step, z, durations, forced), step, z)
             residual(case, z, R)
             return CONVERGED, iteration, correction, greatest(R, 0, n)
-        previous = correction
+        previous, near = correction, length <= NEAR
         damping = min(1.0, 2.0 * damping, longest_damping(step, z, durations, forced))
         while True:
             add(z, damping, step, trial)
@@ -184,7 +188,7 @@ def iterate_within(
         add(trial, 0.0, trial, z)
         while True:
             correction = ahead
-            converged = max(size, length) <= SETTLED and correction <= ROUNDOFF
+            converged = max(size, length) <= SETTLED and correction <= ROUNDOFF and near
             fast = damping == 1 and size <= FAST * length
             whole = longest_damping(following, z, durations, forced) == 1
             if not (converged or (fast and whole)):

@@ -28,6 +28,10 @@ ANGLES = 12
 #: Number of starts tried if exact orbits can be listed, but their times have led nowhere.
 PATIENCE = 6
 
+#: Coefficients of a condition that are smaller than this, relative to those of the times, tell
+#: nothing about the coefficients.
+ALONE = 1e-8
+
 #: Singular values below this, relative to the largest, are rounding.
 ROUNDING = 1e-12
 
@@ -87,9 +91,9 @@ def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Ve
     kernel.jacobian(case, z, J)
     A = J[:, :count]
     rows = np.abs(A).max(axis=1)
-    rows[rows == 0] = 1.0
     if np.isfinite(A).all() and np.isfinite(R).all():
-        z[:count] = np.linalg.lstsq(A / rows[:, None], -R / rows)[0]
+        told = (rows > 0) & ~(rows <= ALONE * np.abs(J).max(axis=1))
+        z[:count] = np.linalg.lstsq(A[told] / rows[told, None], -R[told] / rows[told])[0]
     return z
 
 

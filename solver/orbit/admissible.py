@@ -122,15 +122,15 @@ def _undetermined(orbit: Motion) -> tuple[str, ...]:
     )
 
 
-def is_seen_violated(orbit: Motion) -> bool:
-    """Return whether a demand is violated beyond rounding at one of the points of `LOOK`.
+def seen_violated(orbit: Motion) -> int:
+    """Return how many demands are violated beyond rounding at one of the points of `LOOK`.
 
     This is far cheaper than `violations` where a phase has many waves, and implies them.
     """
     durations = orbit.cell_durations
     if not (np.isfinite(durations).all() and (durations > 0).all()):
-        return False
-    return any(
+        return 0
+    return sum(
         float(value(orbit, p, form, LOOK).min()) < -ROUNDING * scale_of(orbit, p, form)
         for p, phase in enumerate(orbit.cell.phases)
         for _, form in phase.demands

@@ -25,7 +25,7 @@ NOISE = 256 * float(np.finfo(float).eps)
 #: and between any that differ by rounding.
 SAME, EQUAL = 1e-11, 1e-13
 
-#: Largest difference between the states of a body a period apart, relative to them.
+#: Largest residual of an orbit, relative to its terms, or of a body to its states.
 CLOSED = 1e-8
 
 #: Largest unknown of one mass beside which rounding leaves digits of a forcing of about 1.
@@ -69,14 +69,26 @@ class ExactOrbit(Shown):
     def violations(self) -> tuple[str, ...]:
         """Why the solution is not an orbit, in words; empty if it is one."""
         cell = self.case.cell
-        if isinstance(cell, BodyCell) and self.outcome.converged:
-            opening = left_open(cell, self.times)
-            if not opening <= CLOSED:
-                return (f"it does not close: by {opening:.3g} of its size",)
+        opening = self._left_open if self.outcome.converged else 0.0
+        if not opening <= CLOSED:
+            return (f"it does not close: by {opening:.3g} of its size",)
         reasons = admissible.violations(self) or not_followed(self)
         if not reasons and cell.forced and np.abs(self.outcome.unknowns).max() > LARGEST:
             return ("its motion is so large that what drives it is lost in rounding",)
         return reasons
+
+    @property
+    def _left_open(self) -> float:
+        """The largest residual, relative to its terms; of a body see `bodies.exact`."""
+        cell, z = self.case.cell, self.outcome.unknowns
+        if isinstance(cell, BodyCell):
+            return left_open(cell, self.times)
+        R, J = np.empty(len(z)), np.empty((len(z), len(z)))
+        with np.errstate(all="ignore"):
+            self._kernel.residual(cell, z, R)
+            self._kernel.jacobian(cell, z, J)
+            terms = np.abs(J) @ np.abs(z) + np.abs(z).max()
+            return float((np.abs(R) / terms).max())
 
     @cached_property
     def admissible(self) -> bool:
@@ -88,7 +100,7 @@ class ExactOrbit(Shown):
         times, admitted = self.times, _admitted(self.case)
         if any(np.abs(q - times).max() <= EQUAL * np.abs(times).max() for q in admitted):
             return True
-        is_orbit = not (admissible.is_seen_violated(self) or self.violations)
+        is_orbit = not (admissible.seen_violated(self) or self.violations)
         if is_orbit and self.outcome.converged:
             admitted.append(times)
         return is_orbit

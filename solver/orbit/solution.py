@@ -28,6 +28,10 @@ FAR = 0.05
 FINER = 20
 
 
+#: Why a solution is no orbit whose times lead to no exact one.
+NOT_RESOLVED = ("its times lead to no exact orbit: the order does not resolve the motion",)
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution(Shown):
     """The result of Newton's method for a case, a method and an order.
@@ -118,10 +122,13 @@ class Solution(Shown):
 
     @cached_property
     def _disproof(self) -> tuple[str, ...]:
-        """Violations of its exact neighbour; without one, of its own order of phases."""
+        """Violations of its exact neighbour; without one, of its own order of phases.
+
+        It is no orbit if its times lead to no exact one at all.
+        """
         near = self._neighbour
         if near is None:
-            return not_followed(self)
+            return NOT_RESOLVED if self.exact is None else not_followed(self)
         if near.admissible:
             return ()
         reason = f"the exact solution next to it is not an orbit: {'; '.join(near.violations)}"

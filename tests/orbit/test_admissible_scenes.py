@@ -14,7 +14,7 @@ from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.orbit import admissible, chebyshev
-from nonsmooth.solver.orbit.admissible import is_seen_violated
+from nonsmooth.solver.orbit.admissible import seen_violated
 from nonsmooth.solver.orbit.allowance import MOST, by_residual, defect
 from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.orbit.solution import attempt
@@ -203,11 +203,11 @@ def test_a_narrow_peak_is_resolved() -> None:
 def test_what_a_few_points_show_is_violated() -> None:
     case = registry.load("clearance")(contact_stiffness=400.0)
     found = known(case)
-    seen = [orbit for orbit in found.refused if is_seen_violated(orbit)]
+    seen = [orbit for orbit in found.refused if seen_violated(orbit)]
     assert len(seen) >= 3
     assert all(orbit.violations for orbit in seen)
     assert found.orbits
-    assert not any(map(is_seen_violated, found.orbits))
+    assert not any(map(seen_violated, found.orbits))
 
 
 def test_forms_whose_squares_are_beyond_float64_are_compared() -> None:

@@ -2,6 +2,7 @@
 
 import contextlib
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,14 +16,17 @@ from nonsmooth.solver.existence import one_phase
 from nonsmooth.solver.existence.known import Known, known
 from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.flow.exact_system import exact_kernel
+from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.kernels.start import RoughTimes
+from nonsmooth.solver.kernels.start import RoughTimes, with_coefficients
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.admissible import violations
+from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
 from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.solve import orbits_of, solve_case, with_motion
 
 IMPACT, FRICTION = registry.load("impact"), registry.load("dry-friction")
+BACKLASH = registry.load("backlash")
 
 
 def reason(case, durations, angle=0.0):
@@ -198,3 +202,37 @@ def test_the_motion_that_occurs_is_found_whatever_the_order():
     )  # fmt: skip
     assert solve_case(case, order=40).case.scene.motion == "two-stops"
     assert with_motion(case).scene.motion == "two-stops"
+
+
+def test_what_leads_to_no_exact_orbit_is_not_returned():
+    """Damping lets this mass slide on for ever; order 21 ends the slip after two periods."""
+    case = registry.load("stick-slip-damped")(
+        mass=0.19645675225597792, stiffness=2.2840852421427464
+    )
+    with pytest.raises(NoOrbit, match="its times lead to no exact orbit"):
+        solve_case(case, order=21)
+
+
+#: A mass so light that within a phase it forgets the state in which that began.
+LIGHT = BACKLASH(mass=0.003, gap_stiffness=1e-3)
+
+
+def test_a_state_that_a_phase_forgets_does_not_follow_from_its_end():
+    exact, kernel = exact_orbit(LIGHT), exact_kernel(LIGHT.cell)
+    start = with_coefficients(kernel, LIGHT.cell, kernel.size(1), exact.times * (1 + 1e-3))
+    assert np.abs(start).max() < 100
+
+
+def test_a_jacobian_at_states_of_another_size_shows_no_convergence():
+    kernel = exact_kernel(LIGHT.cell)
+    states = -6.183632695836534e20, 8.784039356353224e22, 6.227368801043483e20
+    more = 1.3081399608108409e19, 2.596499730519118, 0.5450929230706747, -0.9476282028759936
+    found = newton(kernel.iterate, LIGHT.cell, np.array([*states, *more]))
+    assert not found.converged or found.residual_norm < 1e-14
+
+
+def test_an_exact_orbit_solves_its_equations():
+    exact = exact_orbit(LIGHT)
+    z = exact.outcome.unknowns * (1 + 1e-5)
+    (why,) = ExactOrbit(LIGHT, replace(exact.outcome, unknowns=z)).violations
+    assert why.startswith("it does not close: by ")
