@@ -93,7 +93,7 @@ def follow(
             return
         smooth = places[:-1] if why == EVENT else places
         segment.points += [(piece, each) for each in smooth]
-        place = segment.points[-1][1]
+        place = smooth[-1] if smooth else place  # of this piece: it may just have moved
         progress(piece.value(place.y))
         if why == CLOSES:
             segment.why = CLOSED

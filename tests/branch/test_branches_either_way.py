@@ -290,3 +290,13 @@ def test_where_an_orbit_loses_a_symmetry_about_another_place_there_are_others(
         unsymmetric.append({round(e.parameter, 8) for e in other.events if e.kind == "fold"})
     assert unsymmetric[0] == unsymmetric[1]
     assert len(unsymmetric[0]) == 4
+
+
+def test_a_branch_goes_on_from_an_event_in_the_first_step_in_new_units() -> None:
+    """From this start, and no other tried, the step to the branch point follows a change."""
+    case = ns.scene("impact-two-sided")(
+        damping=0.133, stiffness=1.905, force=0.408, gap=0.926, restitution=0.933, mass=1.066
+    )
+    ((event,), _) = both_ways(case, "frequency", (1.2, 1.5), (1.2, 1.3))
+    assert event.kind == "branch-point"
+    assert event.parameter == pytest.approx(1.33327947882415, abs=1e-12)
