@@ -2,9 +2,11 @@
 
 The better orbit is by the method whose times converge fastest, started from the orbit's times,
 at an order where it has nearly always converged.  Its own error, estimated by its change over a
-few more orders, is added.  If no better orbit is found, the error against the exact orbit is
-returned.  This is always done for a body, each orbit of which is compared with the exact one
-anyway: with lightly damped modes, a few more orders change little and are as far off.
+few more orders, is added.  If that change is not much smaller than the first, as in a boundary
+layer that no order resolves, the estimate is at least the error against the exact orbit.  If no
+better orbit is found, that error is returned.  It always is for a body, each orbit of which is
+compared with the exact one anyway: with lightly damped modes, a few more orders change little
+and are as far off.
 
 Rounding errors are added: the last correction of Newton's method, which may be small by chance,
 and the effect of rounded parameters and residuals.  The latter is large where two orbits nearly
@@ -13,10 +15,11 @@ bounds it.
 """
 
 import math
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 
+from ..arrays import Vector
 from ..kernels import registry
 from ..orbit.condition import moved_times
 from ..orbit.errors import Errors, difference, rounding_of_derivative
@@ -31,6 +34,10 @@ MORE, LEAST, MOST = 4, 20, 60
 #: Least rounding error of the times, relative to the period; factor of the last correction of
 #: Newton's method; least rounding error of the derivative.
 ROUNDING, CORRECTIONS, DERIVATIVE_ROUNDING = 2e-15, 4.0, 1e-14
+
+#: Largest part of the first change that the second may be: if it is more, the orders converge
+#: so slowly that their changes do not bound the error.
+SLOW = 0.25
 
 #: Differences of times and of the derivative below which two solutions are the same root: one
 #: is an orbit if the other is, and need not be checked again.
@@ -55,8 +62,17 @@ def estimate(orbit: Solution) -> Errors:
     further = better and _neighbour(better[0], order + MORE, True)
     if better is None or further is None:
         return _against_the_exact_orbit(orbit)
-    pairs = zip(*(vars(q).values() for q in (better[1], further[1])), strict=True)
-    return _with_rounding(orbit, better[0], Errors(*(abs(a) + abs(b) for a, b in pairs)))
+    change, further_change = _sizes(better[1]), _sizes(further[1])
+    slow = bool((further_change > SLOW * change).any())
+    least = _sizes(orbit.errors if slow else None)
+    bare = np.maximum(change + further_change, least)
+    return _with_rounding(orbit, better[0], Errors(*bare.tolist()))
+
+
+def _sizes(errors: Errors | None) -> Vector:
+    """Return errors as an array without signs; zeros for none."""
+    names = [q.name for q in fields(Errors)]  # a subclass has more
+    return np.abs(np.array([0.0 if errors is None else getattr(errors, q) for q in names]))
 
 
 def _with_rounding(orbit: Solution, near: Motion, bare: Errors) -> Errors:

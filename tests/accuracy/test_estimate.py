@@ -236,3 +236,11 @@ def test_it_covers_the_rounding_of_a_third_derivative(stiffness: float, order: i
     off, found = orbit.errors, orbit.estimate
     assert off is not None
     assert 1e-14 < off.discontinuous <= found.discontinuous <= 20 * off.discontinuous
+
+
+@pytest.mark.parametrize(("mass", "order"), [(1e-4, 40), (1e-5, 20), (1e-7, 40)])
+def test_it_covers_boundary_layers_that_no_order_resolves(mass: float, order: int) -> None:
+    """There the next orders change little, and are as far off: once a 25th of the error."""
+    case = ns.scene("dry-friction")(mass=mass, frequency=1.0)
+    orbit = ns.solve(case, "ck-tau", order)
+    assert orbit.errors.times <= orbit.estimate.times <= 1.1 * orbit.errors.times
