@@ -188,15 +188,15 @@ def iterate_within(
         add(trial, 0.0, trial, z)
         while True:
             correction = ahead
-            converged = max(size, length) <= SETTLED and correction <= ROUNDOFF and near
+            settled = max(size, length) <= SETTLED and correction <= ROUNDOFF
             fast = damping == 1 and size <= FAST * length
             whole = longest_damping(following, z, durations, forced) == 1
-            if not (converged or (fast and whole)):
+            if not (near if settled else fast and whole):
                 break
             add(z, 1.0, following, z)
-            if not converged or size > AGAIN:  # else the residual hardly changes
+            if not settled or size > AGAIN:  # else the residual hardly changes
                 residual(case, z, R)
-            if converged:
+            if settled:
                 return CONVERGED, iteration, correction, greatest(R, 0, n)
             correct(J, rows, scales, R, following)
             length, previous = size, correction

@@ -69,11 +69,19 @@ def test_converges_quadratically_to_the_last_digit() -> None:
 def test_a_jacobian_is_used_while_corrections_shrink_fast() -> None:
     """One from 1 % off; with a new one at every step it would be four."""
     seen, filled = [], []
-    near = solve(quadratic, quadratic_jacobian, [0.5, 2.02], seen=seen, filled=filled)
+    near = solve(quadratic, quadratic_jacobian, [0.9, 2.02], seen=seen, filled=filled)
     assert near.converged
     assert near.unknowns.tolist() == [1, 2]
     assert (near.iterations, len(filled)) == (1, 1)
     assert len(seen) > 5
+
+
+def test_a_jacobian_from_far_off_shows_no_convergence() -> None:
+    """It finds the same, and the one there confirms it."""
+    far = solve(quadratic, quadratic_jacobian, [0.5, 2.02])
+    assert far.converged
+    assert far.unknowns.tolist() == [1, 2]
+    assert far.iterations == 2
 
 
 def test_a_jacobian_is_not_used_where_corrections_shrink_slowly() -> None:
