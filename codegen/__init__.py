@@ -59,7 +59,7 @@ def derive(
     from ..scene_files.read import is_path  # noqa: PLC0415
     from .equations import registry  # noqa: PLC0415  (its sections are those of this package)
 
-    named = isinstance(scene, str) and not is_path(scene)
+    named = isinstance(scene, str) and not is_path(scene) and isinstance(functions, int | None)
     return (registry.derived if named else registry.derive_scene)(scene, method, functions)
 
 

@@ -11,7 +11,7 @@ from .results.family import Beside
 from .scenes.case import Case
 from .scenes.loaded import UnknownScene
 from .scenes.methods import FIRST
-from .scenes.parameter_error import plain
+from .scenes.parameter_error import whole_or_none
 from .search import check_order
 from .solve import number_of_functions, orbit_beside
 
@@ -43,7 +43,7 @@ class Expansion:
                 raise ValueError(f"functions: got {functions!r}, expected beside a method")
             return cls()
         name = registry.generic_method(case.scene, FIRST if method is None else method)
-        count = number_of_functions(case, name, plain(functions))
+        count = number_of_functions(case, name, whole_or_none("functions", functions))
         kernel = registry.kernel(case.scene, name, count)
         return cls(name, check_order(kernel, ORDER if order is None else order), count)
 

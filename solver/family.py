@@ -20,7 +20,7 @@ from .results.interrupted import Interrupted
 from .results.orbit import Orbit
 from .scenes.case import Case, check_case, index_of
 from .scenes.methods import FIRST
-from .scenes.parameter_error import plain, repeated
+from .scenes.parameter_error import repeated, whole_or_none
 from .search import check_order
 from .solve import number_of_functions, orbit_beside, solve_case
 from .stability.monodromy import NoMultipliersError
@@ -105,7 +105,7 @@ def family(
     if not 1 <= len(cases) <= MOST_VALUES:
         raise ValueError(f"values: got {len(cases)}, expected 1 to {MOST_VALUES}")
     name = registry.generic_method(scene, FIRST if method is None else method)
-    wanted = plain(functions)
+    wanted = whole_or_none("functions", functions)
     count = number_of_functions(case, name, None) if wanted is None else wanted
     kernel = registry.kernel(scene, name, count)
     number = check_order(kernel, ORDER if order is None else order)

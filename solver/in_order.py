@@ -11,6 +11,7 @@ from .scenes.case import Case
 from .scenes.loaded import LoadedScene, UnknownScene
 from .scenes.ordered import MIRRORED, all_phases, declared_as, in_order, of_all_phases
 from .scenes.orders import Order, Step, half_if_mirrored, is_odd, pairs
+from .scenes.parameter_error import several
 from .simulation.followers import may_follow
 from .simulation.machine import Machine
 from .simulation.machines import machine_of
@@ -45,6 +46,8 @@ def cases_in_order(
     ------
     ParameterError
         A `ValueError`: if `cycles` is not a number of cycles.
+    TypeError
+        If `phases` are no names.
     UnknownScene
         A `ValueError`: if there is no such phase, or one cannot follow another.
 
@@ -56,7 +59,7 @@ def cases_in_order(
     ['slide,stop,mirrored', 'slide,-stop']
     """
     base = all_phases(case.scene)
-    names = at_length(phases) if isinstance(phases, str) else [q.strip() for q in phases]
+    names = at_length(phases) if isinstance(phases, str) else _names(phases)
     half = names[-1:] == [MIRRORED]
     machine = machine_of(Case(base, case.values).cell)
     ways = _ways(base, names[:-1] if half else names)
@@ -67,6 +70,13 @@ def cases_in_order(
     if not orders:
         raise UnknownScene(f"phases: got {','.join(names)}, where one cannot follow another")
     return [Case(in_order(base, order), case.values, count) for order in orders]
+
+
+def _names(phases: Sequence[str]) -> list[str]:
+    names = several("phases", phases, "names of phases")
+    if not all(isinstance(name, str) for name in names):
+        raise TypeError(f"phases: got {phases!r:.80}, expected names of phases in a sequence")
+    return [name.strip() for name in names]
 
 
 def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:

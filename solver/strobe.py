@@ -11,7 +11,7 @@ from .arrays import Integers, Matrix, Vector
 from .results.strobe import Attractor, Basins, Diagram
 from .scenes.case import Case, check_case, index_of
 from .scenes.ordered import of_all_phases
-from .scenes.parameter_error import is_number, whole
+from .scenes.parameter_error import is_number, several, whole
 from .simulation.bodies.machine import BodyMachine
 from .simulation.bodies.units import state_of, units_of
 from .simulation.machine import Machine
@@ -83,9 +83,8 @@ def diagram(
     """
     _check_forced(case)
     index_of(case, parameter)
-    cases = [
-        of_all_phases(case.with_value(parameter, value)) for value in _several("values", values)
-    ]
+    numbers = several("values", values, "numbers")
+    cases = [of_all_phases(case.with_value(parameter, value)) for value in numbers]
     whole("values", len(cases), 1, MOST_VALUES)
     whole("transient", transient, 0, MOST_CYCLES)
     whole("cycles", cycles, 1, MOST_CYCLES)
@@ -281,16 +280,10 @@ def _check_forced(case: Case) -> None:
         raise ValueError(f"scene: nothing forces {case.scene.name}: {words}")
 
 
-def _several(name: str, values: Iterable[float]) -> list[float]:
-    if not isinstance(values, Iterable):
-        raise ValueError(f"{name}: got {values!r:.80}, expected several numbers")
-    return list(values)
-
-
 def _axis(name: str, values: Sequence[float], unit: float) -> Vector:
-    items = _several(name, values)
+    items = several(name, values, "numbers")
     within = (is_number(value) and math.isfinite(float(value) / float(unit)) for value in items)
-    if not items or not all(within):
+    if not all(within):
         expected = "finite numbers, within float64 in the units of the scene"
         raise ValueError(f"{name}: got {values!r:.80}, expected {expected}")
     return np.array(items, dtype=float)

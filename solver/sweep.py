@@ -2,14 +2,13 @@
 
 import time
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
 
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .results.sweep import Sweep, SweepRow
 from .scenes.case import Case, check_case
 from .scenes.methods import in_order
-from .scenes.parameter_error import plain
+from .scenes.parameter_error import several, whole_or_none
 from .search import check_order
 from .solve import number_of_functions, solve_case, with_motion
 
@@ -59,9 +58,9 @@ def sweep(
     check_case(case)
     wanted = [methods] if isinstance(methods, str) else methods
     if wanted is not None:
-        wanted = _several("methods", wanted, "names of methods")
-    numbers = _several("orders", orders, "whole numbers")
-    scene, functions, kernels = case.scene, plain(functions), []
+        wanted = several("methods", wanted, "names of methods")
+    numbers = several("orders", orders, "whole numbers")
+    scene, functions, kernels = case.scene, whole_or_none("functions", functions), []
     names = in_order(registry.methods(scene)) if wanted is None else wanted
     for method in (registry.generic_method(scene, name) for name in names):
         count = number_of_functions(case, method, functions)
@@ -104,11 +103,3 @@ def _row(case: Case, method: str, order: int, functions: int | None) -> SweepRow
         orbit.method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,
         orbit.iterations, orbit.errors, orbit.estimate, seconds, further=orbit.further,
     )  # fmt: skip
-
-
-def _several(name: str, values: object, expected: str) -> list[Any]:
-    """Return values as a list; raise a `ValueError` if they are no sequence, or empty."""
-    items = [*values] if isinstance(values, Iterable) and not isinstance(values, str) else []
-    if not items:
-        raise ValueError(f"{name}: got {values!r:.80}, expected {expected} in a sequence")
-    return items

@@ -149,8 +149,9 @@ def conditions(scene: Scene, method: str, functions: int | None = None) -> Galer
         return record
     if functions is None:
         functions = 2 if class_of(scene) == 0 else 1
-    if not isinstance(functions, int) or functions < 1:
-        raise ValueError(f"functions: got {functions!r}, expected a whole number from 1")
+    if type(functions) is not int or functions not in expansion.FUNCTIONS:
+        allowed = ", ".join(map(str, expansion.FUNCTIONS))
+        raise ValueError(f"functions: got {functions!r}, expected for {method}: {allowed}")
     record = derive(scene, functions)
     return record
 

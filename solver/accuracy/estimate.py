@@ -72,7 +72,8 @@ def estimate(orbit: Solution) -> Errors:
 def _sizes(errors: Errors | None) -> Vector:
     """Return errors as an array without signs; zeros for none."""
     names = [q.name for q in fields(Errors)]  # a subclass has more
-    return np.abs(np.array([0.0 if errors is None else getattr(errors, q) for q in names]))
+    sizes = (0.0 if errors is None else abs(getattr(errors, name)) for name in names)
+    return np.fromiter(sizes, dtype=float)
 
 
 def _with_rounding(orbit: Solution, near: Motion, bare: Errors) -> Errors:

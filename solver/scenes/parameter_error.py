@@ -2,6 +2,7 @@
 
 import math
 import numbers
+from collections.abc import Iterable
 from typing import Any
 
 #: Figures or letters of a value that messages repeat in full.
@@ -62,6 +63,15 @@ def whole(
     return int(value)  # type: ignore[call-overload, no-any-return]
 
 
-def plain(number: Any) -> Any:
-    """Return a whole number of any type, such as NumPy's, as an int; others unchanged."""
-    return int(number) if isinstance(number, numbers.Integral) else number
+def whole_or_none(name: str, value: object) -> int | None:
+    """Return a whole number from 1 as an int, and None as it is; else see `whole`."""
+    return None if value is None else whole(name, value)
+
+
+def several(name: str, values: object, expected: str) -> list[Any]:
+    """Return values as a list; raise a `ValueError` if they are no sequence, or empty."""
+    is_text = isinstance(values, str | bytes)
+    items = [*values] if isinstance(values, Iterable) and not is_text else []
+    if not items:
+        raise ValueError(f"{name}: got {values!r:.80}, expected {expected} in a sequence")
+    return items

@@ -3,7 +3,7 @@
 from .solver.results.orbit import Orbit
 from .solver.scenes.case import Case, check_case
 from .solver.scenes.methods import FIRST
-from .solver.scenes.parameter_error import plain
+from .solver.scenes.parameter_error import whole_or_none
 from .solver.solve import solve_case, with_order
 from .solver.trade.budget import choose_within
 from .solver.trade.tolerance import choose_order
@@ -89,7 +89,7 @@ def solve(
     0.200007 s
     """
     check_case(case)
-    functions = plain(functions)
+    functions = whole_or_none("functions", functions)
     if phases is not None:
         if motion is not None:
             raise ValueError(f"phases: got {phases!r} beside a motion, expected one of them")

@@ -26,6 +26,8 @@ REFUSED = {
         ("impact --method hbc0", "did you mean hb-c0?"),
         ("impact --method hb --functions 2", "--functions: got 2"),
         ("impact --method hb-ck --functions 0", "--functions: got 0"),
+        ("impact --method hb-ck --functions 99999", "expected for hb-ck: 1, 2, 3"),
+        ("impact --method=", "--method: got '', expected one of hb, hb-ck"),
         ("none.py", "none.py: there is no such file"),
         ("string-spring --method hb", "--method: got 'hb', expected one of ritz, ritz-ck, ck"),
         ("string-spring --functions 2", "--functions: got 2"),

@@ -98,6 +98,7 @@ ROWS = {
     "iterations is -1": _row(iterations=-1),
     "times is -0.1": _row(estimate={"period": 0, "times": -0.1, "discontinuous": 0}),
     "but its durations give": _row(durations=[1.0]),
+    "message is None": _row(status="no-orbit", message=None),
 }
 
 
@@ -116,8 +117,11 @@ EDITS = {
         "KeyError 'method'": lambda d: d.pop("method"),
         "without its unknowns": lambda d: d.pop("outcome"),
     },
-    "sweep": ANY | ROWS,
-    "family": ANY | ROWS | {"2 rows of 3": lambda d: d["rows"].pop()},
+    "sweep": ANY | ROWS | {"order is 'x', expected a whole": _row(order="x")},
+    "family": ANY | ROWS | {
+        "2 rows of 3": lambda d: d["rows"].pop(),
+        r"extremes of velocity are \[1\]": _row(extremes={"velocity": [1]}),
+    },
 }  # fmt: skip
 
 

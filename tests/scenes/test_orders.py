@@ -170,6 +170,12 @@ def test_what_is_no_order_is_refused(scene, names, why) -> None:
         ns.solve(ns.scene(scene)(), phases=names)
 
 
+@pytest.mark.parametrize("phases", [[1], (1, 2), np.array([1.0])])
+def test_phases_that_are_no_names_are_named(phases) -> None:
+    with pytest.raises(TypeError, match=r"^phases: got .*, expected names of phases"):
+        with_order(registry.load("impact")(), phases)
+
+
 def test_a_repetition_is_no_new_orbit() -> None:
     twice = ("impact", "flight,flight", 2), ("stick-slip", "stick,slip,stick,slip", 1)
     for scene, names, cycles in twice:

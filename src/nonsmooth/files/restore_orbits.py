@@ -175,6 +175,8 @@ def _row(case: Case, row: Mapping[str, Any]) -> SweepRow:
     if row["status"] == "ok":
         values["further"] = {name: value for name, value in row.items() if name not in values}
     values["method"] = generic_method(case.scene, row["method"])
+    order = row["order"]
+    checks.check(isinstance(order, int), f"order is {order!r}, expected a whole number")
     kind = StickSlipErrors if isinstance(case, StickSlip) else Errors
     values["errors"] = _errors(row, row["errors"], kind)
     values["estimate"] = _errors(row, row["estimate"])
@@ -257,6 +259,9 @@ def _times(row: Mapping[str, Any]) -> tuple[Any, Any, tuple[Any, ...]]:
 
 def _ends(extremes: Mapping[str, Any]) -> dict[str, Any]:
     """Return the ends of displacement and velocity."""
+    for name, pair in extremes.items():
+        right = len(pair) == 2 and all(map(checks.is_real, pair))
+        checks.check(right, f"the extremes of {name} are {pair!r}, expected two numbers")
     return {name: tuple(pair) for name, pair in extremes.items()}
 
 
@@ -274,6 +279,10 @@ def _checked(row: Mapping[str, Any]) -> dict[str, Any]:
     checks.check(row["status"] in STATUS, problem)
     checks.not_negative("iterations", row["iterations"])
     if row["status"] != "ok":
+        why = row.get("message")
+        checks.check(
+            isinstance(why, str), f"message is {why!r}, expected why there is no orbit"
+        )
         return {"durations": None, "period": None}
     checks.times(row, row["durations"])
     return {"durations": tuple(row["durations"])}

@@ -126,7 +126,7 @@ def _sections(
     scene: str, method: str | None, functions: int | None, **order: str | None
 ) -> "tuple[list[Section], str]":
     """Return the sections on a scene, or on a structure, and their title."""
-    methods = [method] if method else []
+    methods = [] if method is None else [method]
     name = scene.replace("_", "-")
     if name in structure_names():
         from nonsmooth.codegen.space import structure_named
