@@ -134,7 +134,7 @@ def test_what_a_motion_remembers_is_handed_on() -> None:
     ("call", "words"),
     [
         (lambda: ns.diagram(STOP, "gape", [0.1]), "parameter: got 'gape'"),
-        (lambda: ns.diagram(STOP, "gap", []), "values: got 0"),
+        (lambda: ns.diagram(STOP, "gap", []), r"values: got \[\], expected numbers"),
         (lambda: ns.diagram(STOP, "gap", 0.1), "values: got 0.1, expected numbers"),
         (lambda: ns.basins(STOP, 0.0, [0.0]), "x: got 0.0, expected numbers in a sequence"),
         (lambda: ns.diagram(STOP, "frequency", [-1.0]), "frequency: got -1.0"),
