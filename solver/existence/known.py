@@ -13,6 +13,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..arrays import Vector
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
@@ -89,11 +90,13 @@ def known(case: Case) -> Known:
         return Known()
     scan = two_phases.solutions(cell)
     orbits: list[ExactOrbit] = []
+    known_times: list[Vector] = []
     complete = scan.complete
     for start in (*scan.certain, *scan.doubtful):
         orbit = from_times(case, RoughTimes(*start, "the scan"))
-        if _apart(orbit, *start) <= NEAR and not any(_same(orbit, q) for q in orbits):
+        if _apart(orbit, *start) <= NEAR and not _is_among(orbit, known_times):
             orbits.append(orbit)
+            known_times.append(orbit.times)
         elif start in scan.certain:
             complete = False
     return replace(_sorted(orbits, complete), listed=True)
@@ -156,8 +159,13 @@ def _apart(orbit: ExactOrbit, durations: tuple[float, ...], angle: float) -> flo
     return times_apart(orbit, durations, angle)
 
 
-def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
-    return _apart(one, tuple(other.cell_durations), other.angle) <= SAME
+def _is_among(orbit: ExactOrbit, others: list[Vector]) -> bool:
+    """Whether the times of an orbit are among those of others: there may be thousands."""
+    if not others:
+        return False
+    off = np.abs(np.array(others) - orbit.times)
+    off[:, -1] = np.abs((off[:, -1] + math.pi) % (2 * math.pi) - math.pi) / orbit.cell.omega
+    return bool((off.max(axis=1) <= SAME * orbit.cell_durations.sum()).any())
 
 
 def _of_state(case: Case, state: tuple[float, float, float]) -> ExactOrbit:

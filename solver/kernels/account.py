@@ -15,8 +15,9 @@ from pathlib import Path
 
 from .numba_cache import owned
 
-#: Up to this order a kernel begins as plain Python; beyond, one solve takes as long as loading.
-PLAIN_ORDER = 48
+#: Up to this order, and this number of phases, a kernel begins as plain Python; beyond, one
+#: solve takes as long as loading.
+PLAIN_ORDER, PLAIN_PHASES = 48, 12
 
 #: Seconds to load numba and a first kernel from its cache, to load a further one, and to
 #: compile most kernels.

@@ -10,7 +10,7 @@ from ...nearest import one_of
 from ..scenes.loaded import SCENE, LoadedScene, UnknownScene
 from ..scenes.methods import about, generic, module_of, with_class_one, without_class
 from ..scenes.methods import methods as methods  # noqa: PLC0414  (its own, too)
-from .account import PLAIN_ORDER, Account
+from .account import PLAIN_ORDER, PLAIN_PHASES, Account
 
 if TYPE_CHECKING:
     from .kernel import Kernel
@@ -107,11 +107,12 @@ def quicker_kernel(
 ) -> "Kernel":
     """Return the `kernel`, compiled if that pays by now; see `compiling`.
 
-    For a high `order` a kernel in numba's cache is compiled at its first use.
+    For a high `order`, or many phases, a kernel in numba's cache is compiled at its first use.
     """
+    long = order > PLAIN_ORDER or len(scene.phases) > PLAIN_PHASES
 
     def pays(spent: Account) -> bool:
-        return spent.pays() or (order > PLAIN_ORDER and spent.is_cached())
+        return spent.pays() or (long and spent.is_cached())
 
     return _kernel(scene, method, number, pays)
 

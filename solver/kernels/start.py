@@ -35,8 +35,9 @@ ALONE = 1e-8
 #: Singular values below this, relative to the largest, are rounding.
 ROUNDING = 1e-12
 
-#: Duration of one phase, relative to the others, if equal ones have led nowhere.
-UNEQUAL = ((1.5, "long"), (0.2, "short"))
+#: Duration of one phase, relative to the others, if equal ones have led nowhere; and of how
+#: many phases.  Of more, one makes no difference, and there are too many.
+UNEQUAL, FEW_PHASES = ((1.5, "long"), (0.2, "short")), 12
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,9 @@ def _splits(cell: Cell) -> Iterator[tuple[tuple[float, ...], str]]:
     count = len(cell.phases)
     equal = (math.pi,) * count
     yield equal, "equal durations"
-    for part, word in UNEQUAL if count > 1 or not cell.forced else ():
+    if count > FEW_PHASES or (count == 1 and cell.forced):
+        return
+    for part, word in UNEQUAL:
         for p, phase in enumerate(cell.phases):
             durations = (*equal[:p], part * math.pi, *equal[p + 1 :])
             yield durations, f"a {word} phase {phase.name}"

@@ -30,8 +30,8 @@ MOST = 8
 NEAR, ROUNDING = 1e-3, 1e-10
 
 #: Farthest of a return: of the state, as a part of its spread, and of the time, of the period.
-#: Most phases of a return without a forcing.
-CLOSE, TIMELY, LONGEST = 1.0, 0.15, 24
+#: Most phases of a return without a forcing, and with one.
+CLOSE, TIMELY, LONGEST, LONGEST_FORCED = 1.0, 0.15, 24, 200
 
 #: Rounding of a duration, in units of time: a square root of it where two events meet.
 NO_TIME = 1e-7
@@ -116,18 +116,18 @@ def returns(
     states = states / np.where(spread > 0, spread, 1.0)
     best: dict[tuple[Step, ...], tuple[float, tuple[Segment, ...]]] = {}
     for i, first in enumerate(done):
-        late = np.abs(times[i + 1 :] - times[i] - period) / period if cell.forced else None
-        following = range(min(len(done) - i - 1, LONGEST))
-        ends = following if late is None else np.flatnonzero(late <= TIMELY)
-        for j in map(int, ends):
+        following = slice(i + 1, i + 1 + (LONGEST_FORCED if cell.forced else LONGEST))
+        off = np.abs(states[following] - states[i]).max(axis=1)
+        if cell.forced:
+            late = np.abs(times[following] - times[i] - period) / period
+            off += np.where(late <= TIMELY, late, math.inf)
+        for j in map(int, np.flatnonzero(off <= CLOSE)):
             back = done[i + 1 + j]
             if (back.began, back.named) != (first.began, first.named):
                 continue
-            off = float(np.abs(states[i + 1 + j] - states[i]).max())
-            off += 0.0 if late is None else float(late[j])
             order = _from_the_least([q.named for q in done[i : i + 1 + j]])
-            if off <= best.get(order, (CLOSE,))[0]:
-                best[order] = off, done[i : i + 1 + j]
+            if off[j] <= best.get(order, (CLOSE,))[0]:
+                best[order] = float(off[j]), done[i : i + 1 + j]
     found = [again for _, again in sorted(best.values(), key=lambda each: each[0])]
     return [_lasting(again, period) for again in found]
 

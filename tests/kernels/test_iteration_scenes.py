@@ -310,6 +310,12 @@ def test_rough_times_without_forcing_begin_with_half_periods() -> None:
     assert len({start.durations for start in starts}) == len(starts) == 5
 
 
+@pytest.mark.parametrize(("count", "starts"), [(12, 12 * 25), (13, 12)])
+def test_of_many_phases_none_is_tried_longer_than_the_others(count: int, starts: int) -> None:
+    scene = made([(1, 0.1, 1, 0, 1)] * count, [(1, 0, 0, 0)] * count, omega=2.0)
+    assert len(list(rough_times(scene().cell))) == starts
+
+
 def test_the_guess_of_a_scene_comes_first() -> None:
     equation = (1, 0.1, 1, 0, 1)
     scene = made([equation] * 2, [(1, 0, 0, 0)] * 2, omega=2.0, guess=(3.0, 1.0))
