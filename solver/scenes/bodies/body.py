@@ -27,7 +27,8 @@ ROUNDING = 1e-12
 #: The least k of a scene whose contact forces do not jump.
 CONTINUOUS = 2
 
-#: Entries of matrices: the name of the matrix, row, column and value of each.
+#: Entries of matrices: the name of the matrix, row, column and value of each; of one matrix
+#: without its name.
 Entries: TypeAlias = tuple[tuple[Any, ...], ...]
 
 
@@ -100,6 +101,7 @@ def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | No
     return modal(matrices, modes, 1.0, jumps or bool(scene.module.MEMORY))
 
 
+@lru_cache(maxsize=8)
 def matrices_of(scene: "LoadedScene") -> Mapping[str, Any]:
     """Return the arrays of a body's file: shape of each matrix and, if numeric, its entries."""
     content = None if scene.kept is None else scene.kept[MATRICES]
@@ -107,14 +109,20 @@ def matrices_of(scene: "LoadedScene") -> Mapping[str, Any]:
         return dict(file)
 
 
-@lru_cache(maxsize=4)
 def _matrices(scene: "LoadedScene", entries: Entries, units: Units) -> dict[str, Any]:
     """Return the matrices of a body as sparse arrays, in given units."""
+    names = (q.removesuffix("_shape") for q in matrices_of(scene) if q.endswith("_shape"))
+    return {
+        name: _matrix(scene, name, tuple(q[1:] for q in entries if q[0] == name), units)
+        for name in names
+    }
+
+
+@lru_cache(maxsize=12)
+def _matrix(scene: "LoadedScene", name: str, entries: Entries, units: Units) -> Any:
+    """Return one of the matrices of a body, with its entries if they have parameters."""
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
-    by_matrix: dict[str, list[tuple[int, int, float]]] = {}
-    for name, i, j, value in entries:
-        by_matrix.setdefault(name, []).append((i, j, value))
     sizes = {
         "M": units.mass,
         "C": units.mass / units.time,
@@ -122,18 +130,14 @@ def _matrices(scene: "LoadedScene", entries: Entries, units: Units) -> dict[str,
         "forcing": units.mass * units.length / units.time**2,
         "at": 1.0,
     }
-    matrices = {}
     file = matrices_of(scene)
-    for name in (q.removesuffix("_shape") for q in file if q.endswith("_shape")):
-        if name in by_matrix:
-            rows, columns, numbers = map(np.array, zip(*by_matrix[name], strict=True))
-        else:
-            rows, columns, numbers = (
-                file[q] for q in (f"{name}_rows", f"{name}_columns", name)
-            )
-        scaled = np.asarray(numbers, dtype=float) / sizes[name]
-        shape = tuple(map(int, file[f"{name}_shape"]))
-        matrices[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
-        if name in by_matrix and name in ("M", "K"):
-            _check_matrix(name, matrices[name].toarray())
-    return matrices
+    if entries:
+        rows, columns, numbers = map(np.array, zip(*entries, strict=True))
+    else:
+        rows, columns, numbers = (file[q] for q in (f"{name}_rows", f"{name}_columns", name))
+    scaled = np.asarray(numbers, dtype=float) / sizes[name]
+    shape = tuple(map(int, file[f"{name}_shape"]))
+    matrix = sparse.csc_array((scaled, (rows, columns)), shape=shape)
+    if entries and name in ("M", "K"):
+        _check_matrix(name, matrix.toarray())
+    return matrix
