@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Complex, Vector
+from ..bodies.laws import places
 from ..bodies.part import parts_of
 from ..flow import flow
 from ..kernels.registry import names
@@ -16,7 +17,7 @@ from ..orbit.admissible import THROUGHOUT, seen_violated
 from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
-from ..scenes.cell import Cell, Phase
+from ..scenes.cell import Cell, Form, Phase
 from ..scenes.ordered import ONLY, placed
 from ..simulation.lasting import response
 from . import two_phases
@@ -91,7 +92,9 @@ def _by_sign(refused: ExactOrbit) -> bool:
 def not_decided(case: Case) -> Iterator[str]:
     """Yield reasons why a list of solutions is not complete."""
     solutions = known(case)
-    if case.scene.has_body:
+    if isinstance(case.cell, BodyCell):
+        if not _is_held(case.cell):
+            yield "nothing holds the body at one place: an orbit, shifted, would be another one"
         yield from _refusals(solutions) if solutions.refused else ("no solution was found",)
     elif solutions.infinite:
         why = _resonance(case, case.cell.phases[0])
@@ -106,6 +109,18 @@ def not_decided(case: Case) -> Iterator[str]:
             "a scan of the exact equations found none, and cannot decide whether there is one"
             f"{limit}"
         )
+
+
+def _is_held(cell: BodyCell) -> bool:
+    """Whether a body is at one place, by its own stiffness or by a contact."""
+    if cell.body.squares.all():
+        return True
+    displacements = places(len(cell.phases[0].laws))[0]
+    forms: list[Form] = []
+    for phase in cell.phases:
+        demands = (form for _, form in (*phase.demands, *phase.switch_demands))
+        forms += [*phase.laws, phase.event, *demands]
+    return any(form[x] for form in forms for x in displacements)
 
 
 @dataclass(frozen=True)

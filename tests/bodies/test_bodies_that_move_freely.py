@@ -214,6 +214,24 @@ def test_nothing_pushes_back_from_one_stop() -> None:
         ns.solve(one())
 
 
+def test_that_nothing_holds_a_body_at_one_place_is_said() -> None:
+    """A slider rubs wherever it is."""
+    K = np.array([[1.0, -1.0], [-1.0, 1.0]])
+    body = Body(M=np.eye(2), K=K, C=0.1 * K, forcing=[F, 0], at={"end": [0, 1]})
+    end = body.at["end"]
+    ahead = Phase("ahead", end.force + k, Event(end.v), {"ahead": end.v})
+    back = Phase("back", end.force - k, Event(end.v), {"back": -end.v})
+    numbers = (
+        ("force", F, "N", 1.0),
+        ("friction", k, "N", 0.2),
+        ("frequency", Omega, "rad/s", 0.7),
+    )
+    parameters = tuple(Parameter(*each, each[0]) for each in numbers)
+    one = ns.scene(Scene("slider", "", parameters, (ahead, back), frequency=Omega, body=body))
+    with pytest.raises(ns.NoOrbit, match="nothing holds the body at one place"):
+        ns.solve(one())
+
+
 def test_a_map_has_the_fold_of_its_closed_form(monkeypatch) -> None:
     for module in (solver_exact, in_order):  # where there is no orbit it is soon said
         monkeypatch.setattr(module, "PHASES", 20)
