@@ -127,9 +127,9 @@ class Search:
     def orbit(self, times: Vector) -> Orbit | None:
         """Return the orbit to which Newton's method leads from times; None if to none."""
         orbit = self.note(attempt(self.kernel, self.case, self.order, times, self.functions))
-        if not orbit.confirmed:
+        if not orbit.is_orbit:
             orbit = self.less_smooth(orbit, times)
-        return orbit if orbit.confirmed else None
+        return orbit if orbit.is_orbit else None
 
     def note(self, solution: Solution) -> Orbit:
         """Return a result with the iterations of all starts; if it failed, note the reason."""

@@ -139,6 +139,11 @@ class Solution(Shown):
         """Whether the solution is an orbit: nothing in `violations`."""
         return not self.violations
 
+    @property
+    def is_orbit(self) -> bool:
+        """Whether Newton's method converged, and what it found is admissible."""
+        return self.converged and self.admissible
+
     @cached_property
     def _exact_solution(self) -> ExactOrbit | None:
         """The exact solution to which its times lead; None if they lead to none.

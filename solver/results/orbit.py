@@ -1,6 +1,5 @@
 """A periodic orbit of a scene that one method computed, in SI units."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -32,13 +31,6 @@ class Orbit(Solution):
     def further(self) -> Mapping[str, float]:
         """Further numbers for rows and documents, by name; none but in subclasses."""
         return {}
-
-    @property
-    def confirmed(self) -> bool:
-        """Whether it is admissible, and an exact orbit or one of higher order is next to it."""
-        if not (self.converged and self.admissible):
-            return False
-        return self.exact is not None or math.isfinite(self.estimate.times)
 
     @property
     def others(self) -> list[ExactOrbit]:

@@ -147,7 +147,7 @@ def test_errors_of_the_forcing_phase_go_the_short_way_round() -> None:
     assert difference(one, one, 2).times == 0
 
 
-def test_without_a_better_orbit_nothing_is_confirmed(monkeypatch) -> None:
+def test_without_a_better_orbit_the_exact_one_tells_the_error(monkeypatch) -> None:
     monkeypatch.setattr("nonsmooth.solver.accuracy.estimate._neighbour", lambda *of: None)
     orbit = solve_case(S1, "hb", 5)
     assert orbit.estimate.times == orbit.errors.times  # none is better but the exact
@@ -155,7 +155,6 @@ def test_without_a_better_orbit_nothing_is_confirmed(monkeypatch) -> None:
     for kept in ("errors", "estimate"):
         orbit.__dict__.pop(kept, None)
     assert orbit.estimate.times == math.inf
-    assert not orbit.confirmed
     assert json.loads(json.dumps(orbit.as_dict(), allow_nan=False))["estimate"]["times"] is None
 
 
