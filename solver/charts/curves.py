@@ -30,7 +30,7 @@ ROUNDING = 1e-6
 ON = 1e-8
 
 #: Why a curve ends, beside the reasons of a branch.
-LOST, VIOLATED = "it cannot be followed", "beyond, its orbits are not admissible"
+LOST, VIOLATED = "beyond, no such event is found", "beyond, its orbits are not admissible"
 REAL = "beyond, the multipliers whose product is 1 are real"
 
 #: Monitors that vanish on a curve in place of those at an event of a branch; and that of a
