@@ -12,6 +12,7 @@ import numpy as np
 
 from ..arrays import Integers, Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
+from ..iteration.linear import product
 from ..rows.joints import E_COS, E_X, FREE, MEMORY, RHO, F
 
 #: Relative rounding error of an acceleration, in units of `stability.ROUNDING`.
@@ -48,7 +49,7 @@ def cell_map(
     -------
     matrix : ndarray, shape (n, n)
     size : ndarray, shape (n, n)
-        The same product of moduli: the scale of the rounding errors of `matrix`.
+        Scale of the rounding errors of `matrix`; see `linear.product`.
     crossed : ndarray, shape (P,)
         The rate ``n F- + h_t`` at the event that ends each phase, relative to its terms.
     """
@@ -56,7 +57,8 @@ def cell_map(
     at, count, memories = places(case), len(kinds), len(setting)
     theta = angles(case, z, at)
     _, by = ends(case, z, theta)
-    matrix, size, crossed = np.eye(2 + memories), np.eye(2 + memories), np.empty(count)
+    shape = count, 2 + memories, 2 + memories
+    steps, sizes, crossed = np.empty(shape), np.empty(shape), np.empty(count)
     for p in range(count):
         q = p + 1 if p + 1 < count else 0
         transition, saltation = np.eye(2 + memories), np.eye(2 + memories)
@@ -93,11 +95,12 @@ def cell_map(
         crossed[p] = abs(approach) / scale if scale > 0 else 0.0
         jump += after - np.dot(saltation, before)
         saltation += np.outer(jump, gradient) / approach
-        matrix = np.dot(transition, matrix)
-        size = np.dot(np.abs(saltation), np.dot(np.abs(transition), size))
-        size += np.outer(terms, np.dot(np.abs(gradient), np.abs(matrix))) / abs(approach)
-        size /= min(1.0, crossed[p])
-        matrix = np.dot(saltation, matrix)
+        steps[p] = np.dot(saltation, transition)
+        size = np.dot(np.abs(saltation), np.abs(transition))
+        cancelled = np.dot(np.abs(gradient), np.abs(transition))
+        size += np.outer(terms, cancelled) / abs(approach)
+        sizes[p] = size / min(1.0, crossed[p])
+    matrix, size = product(steps, sizes)
     return matrix, size, crossed
 
 

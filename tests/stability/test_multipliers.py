@@ -403,3 +403,14 @@ def test_a_multiplier_of_a_matrix_of_large_entries_may_be_all_rounding() -> None
     found = of_monodromy(CLEARANCE().cell, Monodromy(np.array(entries), np.array(size), 0))
     assert found.rounding == pytest.approx(0.50811025, rel=1e-5)
     assert found.stable is None
+
+
+def test_an_orbit_of_many_phases_is_decided() -> None:
+    """Rounding errors do not grow with all factors: 42 phases forget a perturbation."""
+    case = ns.scene("clearance")(
+        frequency=0.05, damping=0.1, stiffness=1, contact_stiffness=100, gap=0.5
+    )
+    orbit = ns.exact(case)
+    assert len(orbit.phases) == 42
+    assert orbit.stable
+    assert orbit.stability.rounding < 1e-9
