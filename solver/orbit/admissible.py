@@ -41,9 +41,9 @@ THROUGHOUT = "throughout"
 #: Unit roundoff of float64.
 ROUNDOFF = float(np.finfo(float).eps) / 2
 
-#: Largest bound of the rounding error of a duration, relative to it.  It is above 1: the bound
-#: also counts terms that are exact.
-UNKNOWN = 1.3
+#: Largest bound of the rounding error of a duration, relative to it.  That of one mass is above
+#: 1: the bound also counts terms that are exact.
+UNKNOWN, UNKNOWN_OF_BODY = 1.3, 0.3
 
 #: Range of the mean velocity in a held phase, relative to the prescribed one.  An expansion of
 #: low order shortens such a phase; nothing but a spurious root makes it much longer.
@@ -113,12 +113,13 @@ def _undetermined(orbit: Motion) -> tuple[str, ...]:
     durations, unit = orbit.cell_durations, orbit.case.units.time
     if durations.min() > SHORT * durations.sum():
         return ()
+    unknown = UNKNOWN_OF_BODY if orbit.case.scene.has_body else UNKNOWN
     with np.errstate(all="ignore"):
         moved = ROUNDOFF * moved_times(orbit, with_sums=True)
     return tuple(
         Undecided(f"{phase.name} lasts {s * unit:.6g} s, and rounding may be as much")
         for phase, s, change in zip(orbit.cell.phases, durations, moved, strict=False)
-        if not change < UNKNOWN * s
+        if not change < unknown * s
     )
 
 

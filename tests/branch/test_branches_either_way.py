@@ -300,3 +300,40 @@ def test_a_branch_goes_on_from_an_event_in_the_first_step_in_new_units() -> None
     ((event,), _) = both_ways(case, "frequency", (1.2, 1.5), (1.2, 1.3))
     assert event.kind == "branch-point"
     assert event.parameter == pytest.approx(1.33327947882415, abs=1e-12)
+
+
+def test_a_phase_ends_by_its_velocity_where_it_no_longer_reaches_a_stop() -> None:
+    """With friction, a mass that turns before the stop ends its way by another event."""
+    g, r = sp.symbols("g r", positive=True)
+    law = m * a + k * x - F * forcing
+    impact = Event(x - g, jump={v: -r * v})
+    ahead = {"before the stop": g - x, "ahead": v}
+    phases = (
+        Phase("ahead", law + f_s, impact | Event(v), ahead),
+        Phase("back", law - f_k, Event(v), {"back": -v}),
+    )
+    own = parameters(
+        f_s=(f_s, "N", 0.15), f_k=(f_k, "N", 0.1), gap=(g, "m", 2.6), r=(r, "", 0.5)
+    )
+    known = tuple(q for q in oscillator(1.0, 0.0, 1.0, 0.8) if q.name != "damping")
+    case = ns.scene(Scene("rub", "", (*known, *own), phases, frequency=Omega))()
+    for (event,) in both_ways(case, "gap", (2.2, 3.3), (2.6, 3.0)):
+        assert (event.kind, event.parameter) == ("grazing", pytest.approx(2.72704538454870))
+
+
+def test_two_phases_behind_a_surface_vanish_where_it_is_no_longer_reached() -> None:
+    """A spring and a one-way damper: nearer, pressed, back, away; beyond, two of them."""
+    g, d, stop = sp.symbols("g d k_c", positive=True)
+    law, push = m * a + k * x - F * forcing, stop * (x - g)
+    phases = (
+        Phase("nearer", law + 3 * c * v, Event(x - g) | Event(v), {"off": g - x, "up": v}),
+        Phase("press", law + push + (3 * c + d) * v, Event(v), {"on": x - g, "up": v}),
+        Phase("back", law + push + c * v, Event(x - g), {"on": x - g, "down": -v}),
+        Phase("away", law + c * v, Event(v), {"off": g - x, "down": -v}),
+    )
+    own = parameters(gap=(g, "m", 1.7), d=(d, "N s/m", 1.0), stop=(stop, "N/m", 5.0))
+    case = ns.scene(
+        Scene("one-way", "", (*oscillator(1.0, 0.2, 1.0, 0.8), *own), phases, frequency=Omega)
+    )()
+    for (event,) in both_ways(case, "gap", (1.45, 2.18), (1.7, 2.0)):
+        assert event.parameter == pytest.approx(1.82135084396810)

@@ -422,10 +422,14 @@ def test_a_flight_follows_a_rest_at_zero_but_for_rounding(frequency) -> None:
     assert orbit.case.scene.motion == "flight,flight,rest"
 
 
+#: An order of four phases.
+FOUR = SimpleNamespace(along=SimpleNamespace(kinds=range(4)))
+
+
 def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
     """Beyond it there are no such orbits; before it a step is to be shorter."""
     fold = SimpleNamespace(changes=False, column=None, value=1.0)
-    ends = SimpleNamespace(changes=True, column=None, phase=0, value=2.0)
+    ends = SimpleNamespace(changes=True, column=None, phase=0, value=2.0, piece=FOUR)
     found = [(0.3, None), (0.2, ends), (0.1, fold)]
     assert in_turn(found) == [fold, ends]
     for entries in [(0.15, None), *found], [(0.3, None), (0.1, fold)]:
@@ -443,12 +447,15 @@ def test_few_orbits_are_computed_for_an_event(monkeypatch) -> None:
 
 
 def test_a_phase_vanishes_where_what_it_demands_is_found_but_for_rounding() -> None:
-    """What goes with a power of its duration is found to the root of rounding."""
-    demand = SimpleNamespace(changes=True, column=2, phase=0, value=1.0)
-    ends = SimpleNamespace(changes=True, column=None, phase=0, value=1.0)
-    other = SimpleNamespace(changes=True, column=None, phase=1, value=1.0)
-    assert in_turn([(0.3, demand), (0.3 + 1e-8, ends)]) == [ends]
-    assert in_turn([(0.3, demand), (0.3 + 1e-8, other)]) == [demand]
+    """What goes with a power of its duration is found to the root of rounding.
+
+    So is what the phases beside it demand.
+    """
+    demand = SimpleNamespace(changes=True, column=2, phase=0, value=1.0, piece=FOUR)
+    for phase, other in ((0, False), (1, False), (2, True), (3, False)):
+        ends = SimpleNamespace(changes=True, column=None, phase=phase, value=1.0, piece=FOUR)
+        expected = [demand] if other else [ends]
+        assert in_turn([(0.3, demand), (0.3 + 1e-8, ends)]) == expected
 
 
 TOUCH, FOLD = 0.8438679380114447, 1.2348990596842087

@@ -6,6 +6,9 @@ A frame on two friction joints, against matrix exponentials of the frame in each
 import pickle
 import runpy
 from dataclasses import replace
+from functools import reduce
+from itertools import product
+from operator import or_
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +21,7 @@ import nonsmooth as ns
 from nonsmooth.codegen.scene import SceneError, in_order
 from nonsmooth.codegen.scenes import load
 from nonsmooth.described import document
-from nonsmooth.scene import Event, Memory
+from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.no_orbit import NoOrbit
 
@@ -318,3 +321,63 @@ def test_what_such_a_scene_may_not_be() -> None:
         replace(FRAME, phases=(crossed, low, *others))
     with pytest.raises(SceneError, match="phase low: ends: to: got 3, expected the name of a"):
         replace(FRAME, phases=(stick, replace(low, ends=replace(low.ends, to=3)), *others))
+
+
+@pytest.mark.parametrize("ends", [(0.03, 0.1), (0.02, 0.1), (0.04, 0.1)])
+def test_a_phase_that_vanishes_is_no_grazing_of_the_next(ends) -> None:
+    """There a demand of the next one vanishes too, and its place is known to 1e-8 only."""
+    branch = ns.branch(joints(), "low_friction", *ends)
+    assert branch.why_it_ended == ("the end of the range",) * 2
+    first = branch.events[0]
+    assert (first.kind, first.phase) == ("vanishing", "top")
+    assert first.parameter == pytest.approx(0.045859413882997, rel=1e-13)
+
+
+def with_all_phases() -> Scene:
+    """Return the frame with all nine phases declared, each with its events, and no half."""
+    force, spring, frequency = sp.symbols("F k_t Omega", positive=True)
+    limits = sp.symbols("f_low f_top", positive=True)
+    sliders = sp.symbols("w_low w_top", real=True)
+    stiffness = sp.Matrix([[2, -1], [-1, 1]])
+    body = Body(
+        M=sp.eye(2), K=stiffness, C=stiffness / 20, forcing=[0, force],
+        at={"low": [1, 0], "top": [0, 1]},
+    )  # fmt: skip
+    contacts, phases = list(body.at.values()), []
+    for name in map("".join, product("spm", repeat=2)):  # it sticks, or slips with or against
+        laws, demands, ends = [], {}, []
+        for i, (contact, limit, slider) in enumerate(
+            zip(contacts, limits, sliders, strict=True)
+        ):
+            pull, others = spring * (contact.x - slider), (name[:i], name[i + 1 :])
+            if name[i] == "s":
+                ends += [Event(pull - limit, to="p".join(others))]
+                ends += [Event(pull + limit, to="m".join(others))]
+                demands[f"{i} sticks"] = limit - sp.Abs(pull)
+            else:
+                ends += [Event(contact.v, to="s".join(others))]
+                demands[f"{i} slips"] = contact.v * (1 if name[i] == "p" else -1)
+            laws.append(contact.force + {"s": pull, "p": limit, "m": -limit}[name[i]])
+        phases.append(Phase(name, tuple(laws), reduce(or_, ends), demands))
+    set_by = (
+        tuple(phase.name for phase in phases if phase.name[i] == "s")
+        for i in range(len(sliders))
+    )
+    places = (contact.x + contact.force / spring for contact in contacts)
+    memory = tuple(map(Memory, sliders, set_by, places, ("low slider", "top slider")))
+    values = {"low": (limits[0], "N", 0.1), "top": (limits[1], "N", 0.2)}
+    values |= {"spring": (spring, "N/m", 1.0), "force": (force, "N", 0.3)}
+    values |= {"frequency": (frequency, "rad/s", 0.6)}
+    parameters = tuple(Parameter(name, *each, name) for name, each in values.items())
+    return Scene(
+        "all", "", parameters, tuple(phases), frequency=frequency, body=body, memory=memory
+    )
+
+
+def test_phases_and_their_images_vanish_at_once_where_no_half_is_declared() -> None:
+    """On the way two contacts switch in the other order, in both halves of the period."""
+    branch = ns.branch(case_of(with_all_phases()), "low", 0.07, 0.105)
+    assert branch.why_it_ended == ("the end of the range",) * 2
+    of_half = ns.branch(joints(), "low_friction", 0.07, 0.105)
+    found, expected = ([e.parameter for e in each.events] for each in (branch, of_half))
+    assert found == pytest.approx(expected, rel=1e-12)

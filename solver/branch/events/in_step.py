@@ -49,8 +49,10 @@ def in_turn(entries: Iterable[tuple[float, Found | None]]) -> list[Found]:
         return [event for _, event in events]
     joint = [event for at, event in events if event.changes and at - first <= SAME * first]
     vanish = (event for _, event in events if event.changes and event.column is None)
-    errors = {event.phase: SAME * abs(event.value) for event in joint}
-    joint += [q for q in vanish if abs(q.value - joint[0].value) <= errors.get(q.phase, -1.0)]
+    count = len(joint[0].piece.along.kinds)
+    beside = {((event.phase or 0) + i) % count for event in joint for i in (-1, 0, 1)}
+    alike = (q for q in vanish if abs(q.value - joint[0].value) <= SAME * abs(q.value))
+    joint += [q for q in alike if q.phase in beside]
     change = min(joint, key=lambda each: TURNS.index(each.column))
     error = SAME * abs(change.value)
     before = (event for at, event in events if at < first and not event.changes)

@@ -50,7 +50,7 @@ class AtEvent:
         if column is None:
             yield from self._without_all() if self.event.at_once else ()
             yield from self._without(self.orbit, p, p)
-            yield from self._swapped(p)
+            yield from self._all_swapped(self.orbit, (self.event, *self.event.at_once))
             return
         row = self.event.piece.rows[self.event.row]
         within = row.kind == WITHIN
@@ -63,6 +63,7 @@ class AtEvent:
             yield from self._between((p - 1) % len(self.slots))
         elif within and column == END:
             yield from self._uncrossed(p)
+            yield from self._visited(p, row.number)
         else:
             yield from self._between(p)
 
@@ -108,7 +109,7 @@ class AtEvent:
     def _without(self, orbit: Candidate, i: int, p: int) -> Iterator[Candidate]:
         """Yield an order without its phase i, the orbit's phase p.
 
-        Its neighbours become one if they are alike.
+        Its neighbours become one if they are alike, or the one before ends by another event.
         """
         if len(orbit.slots) > 1:
             begun = next(islice(self.rotations(orbit), i, None))
@@ -117,6 +118,7 @@ class AtEvent:
                 yield Candidate(tuple(slots[1:]), self.half, angle)
             else:
                 yield from self._joined(slots[1:], angle)
+            yield from self._ended_otherwise(slots[1:], angle)
 
     def _without_all(self) -> Iterator[Candidate]:
         """Yield the order without all phases that vanish at once."""
@@ -129,27 +131,41 @@ class AtEvent:
                 return
             orbit = orbits[0]
         yield orbit
+        yield from self._ended_otherwise(list(orbit.slots), orbit.angle)
 
-    def _swapped(self, p: int) -> Iterator[Candidate]:
-        """Yield orders in which the events before and behind phase p happen in the other order.
+    def _all_swapped(self, orbit: Candidate, events: tuple[Found, ...]) -> Iterator[Candidate]:
+        """Yield orders in which the events about each vanished phase are swapped."""
+        event, *others = events
+        vanished = self.slots[event.phase or 0]
+        places = [i for i, slot in enumerate(orbit.slots) if slot is vanished]
+        for swapped in (q for i in places for q in self._swapped(orbit, i, event.phase or 0)):
+            if others:
+                yield from self._all_swapped(swapped, tuple(others))
+            else:
+                yield swapped
 
-        Of a body two contacts may switch at once.
+    def _swapped(self, orbit: Candidate, i: int, p: int) -> Iterator[Candidate]:
+        """Yield orders in which the events before and behind a phase happen in the other order.
+
+        Of a body two contacts may switch at once.  The phase is phase i of an order, and the
+        orbit's phase p.
         """
-        slots, angle = self._from((p - 1) % len(self.slots))
+        begun = next(islice(self.rotations(orbit), (i - 1) % len(orbit.slots), None))
+        slots, angle = list(begun.slots), begun.angle
         first, last, *rest = slots if len(slots) > 1 else slots * 2
         state = self.course.state(self.equations, self.z, (p - 1) % len(self.slots), first.s)
         for step in self.steps:
             if step == first.step or not self._alike(step, first.step):
                 continue
-            begun = replace(first, step=step)
-            after = rest[0] if rest else self.next_cell(begun)
+            ended = replace(first, step=step)
+            after = rest[0] if rest else self.next_cell(ended)
             if self.machine.node(step).changes_velocity:
                 state = after.state
             for other in self.steps:
                 between = other != last.step and self._may(step, other)
                 if between and self._may(other, after.step):
-                    swapped = (begun, Slot(other, state, 0.0), *rest)
-                    yield Candidate(swapped, self.half, angle, (1,))
+                    swapped = (ended, Slot(other, state, 0.0), *rest)
+                    yield Candidate(swapped, self.half, angle, (*begun.grows, 1))
 
     def _leaps(self, p: int) -> bool:
         """Whether the velocity jumps where phase p begins."""
@@ -161,10 +177,35 @@ class AtEvent:
         return abs(after - before) > ROUNDING * fastest
 
     def _uncrossed(self, p: int) -> Iterator[Candidate]:
-        """Yield the order in which phase p does not end at its event, but goes on."""
+        """Yield orders in which phase p goes on at its event, or ends by another."""
         slots, angle = self._from((p + 1) % len(self.slots))
         if self._alike(slots[-1].step, self.next_cell(slots[0]).step):
             yield from self._joined(slots, angle)
+        yield from self._ended_otherwise(slots, angle)
+
+    def _visited(self, p: int, demand: int) -> Iterator[Candidate]:
+        """Yield orders in which a demand ends phase p, and one phase or two lie beyond it."""
+        slots, angle = self._from((p + 1) % len(self.slots))
+        last, after = slots[-1], self.next_cell(slots[0])
+        ended = self._ended_by(last.step, demand)
+        if ended is None:
+            return
+        first = [(step,) for step in self.steps if self._may(ended, step)]
+        pairs = [(one, two) for (one,) in first for two in self.steps if self._may(one, two)]
+        for beyond in (*first, *pairs):
+            if self._may(beyond[-1], after.step):
+                new = [Slot(step, after.state, 0.0) for step in beyond]
+                grows = tuple(range(len(slots), len(slots) + len(new)))
+                visited = (*slots[:-1], replace(last, step=ended), *new)
+                yield Candidate(visited, self.half, angle, grows)
+
+    def _ended_otherwise(self, slots: list[Slot], angle: float) -> Iterator[Candidate]:
+        """Yield orders in which the last phase ends by another of its events."""
+        last, after = slots[-1], self.next_cell(slots[0]).step
+        for step in self.steps:
+            if step != last.step and self._alike(step, last.step) and self._may(step, after):
+                ended = replace(last, step=step)
+                yield Candidate((*slots[:-1], ended), self.half, angle)
 
     def _joined(self, slots: list[Slot], angle: float) -> Iterator[Candidate]:
         """Yield an order in which the last and the first phase become one, if they are alike.
