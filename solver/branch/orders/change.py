@@ -22,7 +22,8 @@ from ..piece import Piece, unit_of
 from ..place import NoStepError, Place
 from ..walk import MEETS, OWN
 from .candidate import Candidate
-from .candidates import BESIDE, AtEvent
+from .candidates import AtEvent
+from .reading import BESIDE
 
 #: Durations tried for an inserted phase, as parts of a cell, or steps tried along the branch.
 #: The last is for chatter, where a fold is as close.

@@ -301,7 +301,7 @@ MUTANTS = (
     ),
     Mutant(
         "one of many motions with a memory that nothing sets is followed",
-        "solver/branch/orders/candidates.py",
+        "solver/branch/orders/reading.py",
         " and not held and not self.cell.memory",
         " and not held",
         (f"{ENDS}::test_no_motion_is_followed_of_which_there_is_one_for_each_memory",),
@@ -392,7 +392,7 @@ MUTANTS = (
     Mutant(
         "behind a rest that vanishes a flight goes on, though it ends by an impact",
         "solver/branch/orders/candidates.py",
-        "if self._leaps(p):",
+        "if self.leaps(p):",
         "if False:",
         (f"{EVENTS}::test_what_happens_is_located_to_rounding",),
     ),
