@@ -13,6 +13,7 @@ from ..iteration.newton import Outcome
 from ..kernels.kernel import Kernel
 from ..scenes.case import Case
 from ..scenes.cell import Cell
+from ..scenes.ordered import names_of_period
 from ..stability.stability import Stability, stability
 from . import chebyshev
 
@@ -166,10 +167,11 @@ class Motion:
     def phases(self) -> tuple[OrbitPhase, ...]:
         """The phases of one period, from the first switch."""
         cell, units, start = self.case.cell, self.case.units, np.zeros(1)
+        names = names_of_period(self.case)
         states = [[float(self.part(p, start, j)[0]) for j in (0, 1)] for p in self._of_cell]
         return tuple(
             OrbitPhase(
-                name=cell.phases[p].name,
+                name=names[index],
                 duration=self.durations[index],
                 displacement=self._sign(index) * states[p][0] * units.length,
                 velocity=self._sign(index) * states[p][1] * units.of_motion(1),

@@ -14,7 +14,7 @@ from .cell import Cell
 from .classes import HIGHEST, classes
 from .dimensionless import Units
 from .loaded import LoadedScene, UnknownScene
-from .orders import Order, Step, in_cell, is_odd, memory_columns, settings
+from .orders import Order, Step, image, in_cell, is_odd, memory_columns, settings
 from .parameter_error import ParameterError
 
 #: Last word in the name of an order whose other half is the mirror image.
@@ -213,6 +213,23 @@ class OrderedScene(LoadedScene):
             raise ParameterError([problem])
         cell = in_cell(declared, self.order)
         return replace(cell, classes=self.classes, k=self.k, cycles=cycles)
+
+
+def names_of_period(case: Case) -> list[str]:
+    """Return the names of the phases of one period of a case.
+
+    In the second half of a period, a phase that is the mirror image of one of another name has
+    its own name.
+    """
+    cell, scene = case.cell, case.scene
+    names = [phase.name for phase in cell.phases]
+    if cell.cells == 1 or not isinstance(scene, OrderedScene):
+        return names * cell.cells
+    declared = scene.base.cell(case.numbers)
+    for step, name in zip(scene.order.steps, tuple(names), strict=True):
+        other = image(declared, step) or step
+        names.append(name if other.phase == step.phase else declared.phases[other.phase].name)
+    return names
 
 
 def order_in(base: LoadedScene, motion: LoadedScene) -> Order | None:

@@ -22,6 +22,9 @@ from .simulate import cycle
 #: Most orders of phases in which an unsettled motion almost returns, that are tried.
 RETURNS = 4
 
+#: Cycles without a switch at the end of a simulation that are told.
+SILENT = 10
+
 #: Words for a motion without any further switch.
 WITHOUT_SWITCHES = "a simulation comes to a motion without switches"
 
@@ -94,8 +97,10 @@ def outcome_of(cell: Cell, motion: Simulation) -> Settled:
     again = repeated(cell, motion.segments)
     if again is not None:
         return _settled_on(cell, again)
-    cycles = round((last.t + last.s) / cycle(cell))
+    cycles, silent = (round(float(t) / cycle(cell)) for t in (last.t + last.s, last.s))
     words = f"a simulation of {cycles} cycles does not settle"
+    if silent >= SILENT:
+        words += f": without a switch in the last {silent}, it may stay in {last.phase.name}"
     return Settled(None, words, conclusive=False)
 
 

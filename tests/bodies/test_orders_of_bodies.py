@@ -197,3 +197,10 @@ def test_where_motions_settle_on_no_stable_orbit_the_others_of_their_orders_are_
     orbit = exact_orbit(own)
     assert is_stable(orbit)
     assert orbit.case.scene.motion == "open,up,mirrored"
+    assert [phase.name for phase in orbit.phases] == ["open", "up", "open_by_2", "down"]
+
+
+def test_a_motion_that_stops_switching_may_stay_in_its_phase() -> None:
+    """The slider never slips again, and its spring rings on about any length."""
+    with pytest.raises(ns.NoOrbit, match=r"in the last \d+, it may stay in stick"):
+        exact_orbit(SHIPPED["jenkins-absorber"](friction=50.0))

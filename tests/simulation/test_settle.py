@@ -161,7 +161,8 @@ def test_a_transient_is_followed_as_long_as_the_damping_lets_it_last() -> None:
     """It first yields after 128 cycles; before, it is a motion without switches until now."""
     case = resonant(0.008, 120)
     short = outcome_of(case.cell, ns.simulate(case, cycles=100))
-    assert (short.times, short.words) == (None, "a simulation of 100 cycles does not settle")
+    words = "does not settle: without a switch in the last 100, it may stay in elastic"
+    assert (short.times, short.words) == (None, f"a simulation of 100 cycles {words}")
     (found,) = rough_times_by_simulation(case)
     assert found.words == "a simulation settles on elastic, plastic"
     (start,) = [words for words, _ in starts(case, (), [])]  # behind "from" in a reason
@@ -188,7 +189,7 @@ def test_the_work_is_bounded_and_what_was_done_is_said() -> None:
     for case in (resonant(1e-5, 9e4), slow):
         (found,) = rough_times_by_simulation(case, phases=60)
         head, _, tail = found.words.partition(" cycles ")
-        assert tail == "does not settle"
+        assert tail.startswith("does not settle")
         assert 0 <= int(head.removeprefix("a simulation of ")) < 500
 
 
