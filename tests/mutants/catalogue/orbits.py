@@ -300,13 +300,6 @@ MUTANTS = (
         (f"{ENDS}::test_a_slip_vanishes_where_friction_just_holds",),
     ),
     Mutant(
-        "one of many motions with a memory that nothing sets is followed",
-        "solver/branch/orders/reading.py",
-        " and not held and not self.cell.memory",
-        " and not held",
-        (f"{ENDS}::test_no_motion_is_followed_of_which_there_is_one_for_each_memory",),
-    ),
-    Mutant(
         "slow poles of a body keep the rounding of the quickest",
         "solver/bodies/flow.py",
         "initial=0.0) < TURN",
