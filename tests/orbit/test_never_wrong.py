@@ -7,9 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 from made_scenes import Given, made
 from numpy.polynomial import Polynomial
 
+from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene
+from nonsmooth.scene import find as scene_of
 from nonsmooth.solver import exact, solve
 from nonsmooth.solver.exact import exact_orbit, from_times
 from nonsmooth.solver.existence import one_phase
@@ -179,6 +182,56 @@ def test_a_slip_of_a_body_that_is_all_rounding_is_none():
     )  # fmt: skip
     with pytest.raises(NoOrbit, match="settles on another sequence of phases: slip, -stick"):
         exact_orbit(case)
+
+
+def stop_and_joint() -> Scene:
+    """Return four masses in a row, a stop at the last, and a friction joint of two of them."""
+    K = np.array(
+        [
+            [7.14958348, -3.54717733, 0, 0],
+            [-3.54717733, 7.28091106, -3.73340373, 0],
+            [0, -3.73340373, 11.14577673, -7.412373],
+            [0, 0, -7.412373, 7.412373],
+        ]
+    )
+    C = [[0.23386516, -0.02615929, -0.01691877, -0.00911963],
+         [-0.10952312, 0.2253014, -0.01526328, 0.12219074],
+         [-0.0063751, -0.13179516, 0.2322414, -0.14597099],
+         [0.00024105, -0.15577133, -0.06320293, 0.14664298]]  # fmt: skip
+    masses = np.diag([1.56897172, 1.62806821, 1.35512036, 0.69487672])
+    at = {"end": [0, 0, 0, 1], "joint": [0, -1, 1, 0]}
+    body = Body(M=masses, K=K, C=np.array(C), forcing=[0, 0, 0, 1], at=at)
+    (end, joint), w = body.at.values(), sp.Symbol("w", real=True)
+    k, g, spring, limit, frequency = sp.symbols("k g k_t f Omega", positive=True)
+    pull, phases = spring * (joint.x - w), []
+    stops = {"open_": (end.force, 1), "touch_": (end.force + k * (end.x + g), -1)}
+    for (name, (stop, side)), other in zip(stops.items(), ("touch_", "open_"), strict=True):
+        away = {"side of the stop": side * (g + end.x)}
+        for how, slip in (("stick", 0), ("ahead", 1), ("back", -1)):
+            ends = Event(-end.x - g, to=other + how)
+            if slip:
+                ends |= Event(joint.v, to=f"{name}stick")
+                law, holds = slip * limit, slip * joint.v
+            else:
+                ends |= Event(pull - limit, to=f"{name}ahead")
+                ends |= Event(pull + limit, to=f"{name}back")
+                law, holds = pull, limit - sp.Abs(pull)
+            laws = stop, joint.force + law
+            phases.append(Phase(name + how, laws, ends, {**away, "joint": holds}))
+    values = {"k": (k, "N/m", 26.98), "gap": (g, "m", 0.3734), "spring": (spring, "N/m", 14.81)}
+    values |= {"limit": (limit, "N", 2.755), "frequency": (frequency, "rad/s", 0.6828)}
+    parameters = tuple(Parameter(name, *each, name) for name, each in values.items())
+    sets = Memory(w, ("open_stick", "touch_stick"), joint.x + joint.force / spring, "slider")
+    return Scene("stop-and-joint", "", parameters, tuple(phases), frequency=frequency,
+                 body=body, memory=(sets,))  # fmt: skip
+
+
+@pytest.mark.parametrize("limit", [2.755, 2.76])
+def test_a_slip_at_a_double_root_of_the_equations_is_none(limit, monkeypatch, tmp_path):
+    """There Newton's method ends at 1e-7 s; the slider sticks for ever, at any place."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    with pytest.raises(NoOrbit, match="none of them sets w"):
+        exact_orbit(scene_of(stop_and_joint())(limit=limit))
 
 
 def test_of_two_orbits_the_stable_one_is_returned_and_the_other_named():
