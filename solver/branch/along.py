@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,8 +14,9 @@ from ..scenes.mirror import mirror, same
 from ..simulation.followers import vanishing
 from ..simulation.machines import machine_of
 
-#: Terms of a series; size of terms that are rounding, relative to the largest.
-TERMS, ROUNDING = 24, 1e-15
+#: Degrees of a series, tried in turn: nodes of one are among those of the next, the ends among
+#: all.  Size of terms that are rounding, relative to the largest.
+DEGREES, ROUNDING = (1, 4, 24), 1e-15
 
 #: Least scale of a state or a memory, relative to the largest.
 SMALL = 0.01
@@ -40,7 +42,7 @@ class Along(NamedTuple):
     ----------
     kinds, setting : ndarray
         See `scenes.arrays.Arrays`; of a body zeros, and the size of its state.
-    series : ndarray, shape (entries, TERMS)
+    series : ndarray, shape (entries, terms)
         Chebyshev coefficients of the other entries, and of the watched forms.
     divided : ndarray of int, shape (P,)
         By which power of its duration the event row of each phase is divided, 0 to 3; see
@@ -131,18 +133,23 @@ def _series(
     values: Callable[[float], Vector], interval: Interval, blocks: Integers
 ) -> Matrix | None:
     """Return the Chebyshev coefficients of all entries; None where they are not resolved."""
-    if not np.isfinite([values(interval.low), values(interval.high)]).all():
-        return None
-    nodes, table = chebyshev(TERMS)
-    samples = np.array([values(q) for q in map(interval.value, nodes)])
-    series = (table @ samples).T
-    constant = (samples == samples[0]).all(axis=0)
-    series[constant] = 0.0
-    series[constant, 0] = samples[0, constant]
-    sizes = np.abs(series).max(axis=1)
-    series[np.abs(series) <= ROUNDING * sizes[:, None]] = 0.0
-    sizes = of_blocks(sizes, blocks)
-    return series if (np.abs(series[:, -2:]) <= ROUNDING * sizes[:, None]).all() else None
+    values = cache(values)
+    for degree in DEGREES:
+        nodes, table = chebyshev(degree)
+        samples = np.array([values(q) for q in map(interval.value, nodes)])
+        if not np.isfinite(samples).all():
+            return None
+        series = (table @ samples).T
+        constant = (samples == samples[0]).all(axis=0)
+        series[constant] = 0.0
+        series[constant, 0] = samples[0, constant]
+        sizes = np.abs(series).max(axis=1)
+        series[np.abs(series) <= ROUNDING * sizes[:, None]] = 0.0
+        sizes = of_blocks(sizes, blocks)
+        if (np.abs(series[:, -2:]) <= ROUNDING * sizes[:, None]).all():
+            terms = int(np.flatnonzero(series.any(axis=0)).max(initial=1)) + 1
+            return np.ascontiguousarray(series[:, :terms])
+    return None
 
 
 def of_blocks(sizes: Vector, blocks: Integers) -> Vector:
@@ -153,12 +160,16 @@ def of_blocks(sizes: Vector, blocks: Integers) -> Vector:
     return block_sizes
 
 
-def chebyshev(count: int) -> tuple[Vector, Matrix]:
-    """Return Chebyshev nodes, and the matrix from values there to coefficients."""
-    k = 2 * np.arange(count) + 1  # in whole numbers: the waves keep their digits
-    table = np.cos(np.pi / (2 * count) * (np.outer(np.arange(count), k) % (4 * count)))
-    table[0] /= 2
-    return np.cos(np.pi / (2 * count) * k), 2 / count * table
+def chebyshev(degree: int) -> tuple[Vector, Matrix]:
+    """Return the extrema of a Chebyshev polynomial, and the matrix from values to coefficients.
+
+    Of a multiple of the degree these are among the extrema, to the last digit.
+    """
+    k = np.arange(degree + 1)  # in whole numbers: the waves keep their digits
+    table = np.cos(np.pi / degree * (np.outer(k, k) % (2 * degree)))
+    table[[0, -1]] /= 2
+    table[:, [0, -1]] /= 2
+    return np.cos(np.pi * (k / degree)), 2 / degree * table
 
 
 def weights(cell: Cell, z: Vector, farthest: float) -> Vector:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import product
 
 import numpy as np
@@ -15,8 +15,8 @@ from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
 from ..scenes.parameter_error import ParameterError
 
-#: Least and most terms of the series in each parameter.
-LEAST_TERMS, MOST_TERMS = 4, 64
+#: Least and highest degree of the series in each parameter.
+LEAST_DEGREE, HIGHEST_DEGREE = 4, 64
 
 Bounds = tuple[tuple[float, float], tuple[float, float]]
 
@@ -127,24 +127,28 @@ def _series(
     intervals = _intervals(case, indices, bounds)
     cell = course.cell(case.numbers)
     blocks = course.blocks(cell, course.forms(case.numbers, rows, cell))
-    counts = [LEAST_TERMS, LEAST_TERMS]
-    while max(counts) <= MOST_TERMS:
-        (first, one), (second, other) = map(chebyshev, counts)
-        values = []
-        for point in product(map(intervals[0].value, first), map(intervals[1].value, second)):
-            numbers = _with(case, indices, point)
-            cell = course.cell(numbers)
-            values.append(course.entries(cell, course.forms(numbers, rows, cell)))
-        grid = np.array(values).T.reshape(-1, *counts)
+
+    @cache  # the nodes of a degree are among those of twice the degree
+    def entries(first: float, second: float) -> Vector:
+        point = intervals[0].value(first), intervals[1].value(second)
+        numbers = _with(case, indices, point)
+        cell = course.cell(numbers)
+        return course.entries(cell, course.forms(numbers, rows, cell))
+
+    degrees = [LEAST_DEGREE, LEAST_DEGREE]
+    while max(degrees) <= HIGHEST_DEGREE:
+        (first, one), (second, other) = map(chebyshev, degrees)
+        values = [entries(*nodes) for nodes in product(first.tolist(), second.tolist())]
+        grid = np.array(values).T.reshape(-1, len(first), len(second))
         coefficients = one @ grid @ other.T
         largest = of_blocks(np.abs(grid).max(axis=(1, 2)), blocks)[:, None, None]
-        coefficients[np.abs(coefficients) <= max(counts) * ROUNDING * largest] = 0.0
+        coefficients[np.abs(coefficients) <= max(degrees) * ROUNDING * largest] = 0.0
         more = coefficients[:, -1].any(), coefficients[:, :, -1].any()
         if not any(more):
             used = [np.flatnonzero(coefficients.any(axis=i))[-1] + 1 for i in ((0, 2), (0, 1))]
             along, across = (max(2, int(count)) for count in used)
             return np.ascontiguousarray(coefficients[:, :along, :across])
-        counts = [count << int(grows) for count, grows in zip(counts, more, strict=True)]
+        degrees = [degree << int(grows) for degree, grows in zip(degrees, more, strict=True)]
     names = [case.scene.parameters[i].name for i in indices]
     over = [f"from {low:g} to {high:g}" for low, high in bounds]
     words = f"{names[0]}: got values {over[0]}, and of {names[1]} {over[1]}, over which the"
