@@ -6,6 +6,7 @@ whole terms, and where a term by itself is too wide, the terms inside its bracke
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import sympy as sp
 
@@ -64,7 +65,7 @@ def _bracket(term: sp.Expr) -> tuple[sp.Expr, sp.Expr | None]:
     sums = [factor for factor in term.args if isinstance(factor, sp.Add)]
     if not isinstance(term, sp.Mul) or not sums:
         return term, None
-    inside = max(sums, key=lambda factor: len(str(factor)))
+    inside = max(sums, key=lambda factor: len(_spelled(factor)))
     before = sp.Mul(*(factor for factor in term.args if factor is not inside))
     return before, None if isinstance(before, sp.Add) else inside
 
@@ -82,8 +83,13 @@ def _cut(side: sp.Expr, too_wide: Callable[[sp.Expr], bool]) -> Iterator[Piece]:
 
 def _is_short(inside: sp.Expr, term: sp.Expr) -> bool:
     """Whether a bracket is so short a part of a product that no line is broken inside it."""
-    short = LEAST * len(str(inside)) < len(str(term))
-    return isinstance(term, sp.Mul) and short and "/" not in str(inside)
+    short = LEAST * len(_spelled(inside)) < len(_spelled(term))
+    return isinstance(term, sp.Mul) and short and "/" not in _spelled(inside)
+
+
+@lru_cache(maxsize=1024)  # a side is cut again for each width that is tried
+def _spelled(expression: sp.Expr) -> str:
+    return str(expression)
 
 
 def _opened(before: sp.Expr, parts: list[Piece]) -> list[Piece]:

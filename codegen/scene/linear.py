@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -37,14 +38,20 @@ def parts(expression: sp.Expr, symbols: Sequence[sp.Symbol], what: str) -> list[
     SceneError
         If the expression is not linear in them; the message begins with `what`.
     """
-    expanded = sp.expand(expression)
     with named(what):
-        check_linear(expanded, symbols)
+        return list(_parts(expression, tuple(symbols)))
+
+
+@lru_cache(maxsize=1024, typed=True)  # checks and classes ask for the same forms again
+def _parts(expression: sp.Expr, symbols: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:
+    """Return the coefficients and the constant; a `SceneError` if it is not linear."""
+    expanded = sp.expand(expression)
+    check_linear(expanded, symbols)
     coefficients = [sp.diff(expanded, symbol) for symbol in symbols]
     constant = sp.expand(
         expanded - sum(c * q for c, q in zip(coefficients, symbols, strict=True))
     )
-    return [*map(sp.factor_terms, coefficients), sp.factor_terms(constant)]
+    return (*map(sp.factor_terms, coefficients), sp.factor_terms(constant))
 
 
 def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
