@@ -37,7 +37,9 @@ BY_COSINE, BY_SINE = sp.IndexedBase("H_cos"), sp.IndexedBase("H_sin")
 
 def applies(scene: Scene) -> bool:
     """Whether a scene has the two phases that (12) is made for."""
-    if len(scene.cell) != 2 or scene.sign == -1 or scene.frequency is not None:
+    if scene.body is not None or scene.frequency is not None:
+        return False
+    if len(scene.cell) != 2 or scene.sign == -1:
         return False
     held, free = scene.cell
     if held.held is None or free.held is not None or scene.memory:

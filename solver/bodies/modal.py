@@ -7,14 +7,14 @@ Structures 1 (1971), 581-601, with the inertia of S. Rubin, AIAA Journal 13 (197
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
 
 from ..arrays import Complex, Indices, Matrix, Vector
-from .modes import DENSE, natural_modes, signs
+from .modes import DENSE, marks, natural_modes, signs
 from .systems import BodyError, Solve, exact_product, factored, solver
 
 #: What a contact, or a damper, may see of a mode that it does not see, as a part.
@@ -54,6 +54,8 @@ class Modal:
         Static compliance of what is left out.
     beyond : ndarray of complex, shape (c,)
         What that adds to the response of the contacts to the forcing.
+    marks : ndarray, shape (m, l), optional
+        What tells a shape from its opposite: see `facing`.
     """
 
     squares: Vector
@@ -63,6 +65,7 @@ class Modal:
     mobility: Matrix
     residual: Matrix
     beyond: Complex
+    marks: Matrix = field(default_factory=lambda: np.empty((0, 0)))
 
     @cached_property
     def is_proportional(self) -> bool:
@@ -83,6 +86,7 @@ class Modal:
             self.mobility * mass,
             self.residual * (mass / time**2),
             self.beyond / length,
+            self.marks,
         )
 
     @property
@@ -146,7 +150,7 @@ def modal(
     return _without_unseen(
         Modal(
             squares, damping, at_contacts, driven[:, 0], mobility, (residual + residual.T) / 2,
-            compliance[:, -1].astype(complex),
+            compliance[:, -1].astype(complex), marks(M, basis),
         )
     )  # fmt: skip
 
@@ -179,6 +183,24 @@ def _static_shapes(
     values, vectors = np.linalg.eigh(basis.T @ mass[np.ix_(strong, strong)] @ basis)
     shapes = left_out[:, strong] @ basis @ vectors / np.sqrt(values)
     return 1 / values, shapes * signs(shapes)
+
+
+@lru_cache(maxsize=64)
+def facing(body: Modal, other: Modal) -> Modal:
+    """Return a body with each shape on the side of that of another body, not opposite to it.
+
+    So its arrays change smoothly with the matrices, as far as the shapes do not turn by more
+    than a right angle.
+    """
+    if body.marks.shape != other.marks.shape:
+        return body
+    sides = np.where((body.marks * other.marks).sum(axis=1) < 0, -1.0, 1.0)
+    if (sides > 0).all():
+        return body
+    return replace(
+        body, damping=body.damping * np.outer(sides, sides), at=body.at * sides[:, None],
+        forcing=body.forcing * sides, marks=body.marks * sides[:, None],
+    )  # fmt: skip
 
 
 def damped(body: Modal, ratio: float | None) -> Modal:
@@ -235,7 +257,7 @@ def _without_unseen(body: Modal) -> Modal:
     seen |= damping.max(axis=0) > UNSEEN * damping.max()
     return replace(
         body, squares=body.squares[seen], damping=body.damping[np.ix_(seen, seen)],
-        at=body.at[seen], forcing=body.forcing[seen],
+        at=body.at[seen], forcing=body.forcing[seen], marks=body.marks[seen],
     )  # fmt: skip
 
 

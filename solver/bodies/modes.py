@@ -32,6 +32,9 @@ SETTLED, NEARLY_ONE, ALIKE = 1e-10, 1e-2, 1e-6
 #: Corrections at most.
 CORRECTIONS = 4
 
+#: Products of a shape with fixed vectors, by which two are compared.
+MARKS = 32
+
 
 def natural_modes(
     M: Any, K: Any, count: int, shift: float, factors: Any = None
@@ -158,8 +161,17 @@ def _begin(n: int) -> Vector:
 
 
 def signs(shapes: Matrix) -> Vector:
-    """Return the signs of shapes that keep them continuous along a parameter."""
+    """Return signs of shapes that rounding does not change."""
     return np.asarray(np.sign(_begin(len(shapes)) @ shapes))
+
+
+def marks(M: Any, shapes: Matrix) -> Matrix:
+    """Return products of shapes with some fixed vectors, by their masses; shape (m, MARKS).
+
+    Products of two rows are, roughly, in proportion to those of the shapes.
+    """
+    fixed = np.random.default_rng(1).standard_normal((M.shape[0], MARKS))
+    return np.asarray((shapes * np.sqrt(M.diagonal())[:, None]).T @ fixed)
 
 
 def _with_digits(K: Any, squares: Vector, shapes: Matrix) -> Vector:

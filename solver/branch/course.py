@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import chain
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
@@ -77,6 +77,10 @@ class Course(Itinerary):
     def most(self) -> int:
         """Most phases of an order that is followed."""
         return MOST
+
+    def about(self, numbers: tuple[float, ...]) -> Self:
+        """Return it with whatever is chosen by some parameters, in its units; here nothing."""
+        return self
 
     def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
         """Return the watched forms, by an orbit that is not at an event."""

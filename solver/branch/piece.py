@@ -78,7 +78,8 @@ class Piece:
         def numbers(at: float) -> tuple[float, ...]:
             return (*case.numbers[:index], at, *case.numbers[index + 1 :])
 
-        course, parameters = replace(course, units=case.units), numbers(value)
+        parameters = numbers(value)
+        course = replace(course, units=case.units).about(parameters)
         watched = tuple(course.rows(parameters, z) if rows is None else rows)
 
         def content(at: float) -> tuple[Cell, list[Form]]:

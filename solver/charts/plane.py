@@ -65,7 +65,7 @@ class Plane:
         ParameterError
             If the equations change too much over the rectangle for their series.
         """
-        course = replace(course, units=case.units)
+        course = replace(course, units=case.units).about(case.numbers)
         cell = course.cell(case.numbers)
         unknowns = z / course.sizes(cell, case)
         rows = tuple(course.rows(case.numbers, unknowns))

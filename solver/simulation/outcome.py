@@ -15,7 +15,7 @@ from ..scenes.orders import Order, declared_order, half_if_mirrored, image, orde
 from .machines import machine_of
 from .nodes import firsts
 from .record import Simulation
-from .repeats import NEAR, repeated, returns, whole
+from .repeats import NEAR, repeated, returns, shortest, whole
 from .segment import Segment
 from .simulate import cycle
 
@@ -96,12 +96,19 @@ def outcome_of(cell: Cell, motion: Simulation) -> Settled:
         return Settled(None, WITHOUT_SWITCHES)
     again = repeated(cell, motion.segments)
     if again is not None:
-        return _settled_on(cell, again)
+        return _settled_on(cell, shortest(cell, again))
     cycles, silent = (round(float(t) / cycle(cell)) for t in (last.t + last.s, last.s))
     words = f"a simulation of {cycles} cycles does not settle"
     if silent >= SILENT:
         words += f": without a switch in the last {silent}, it may stay in {last.phase.name}"
     return Settled(None, words, conclusive=False)
+
+
+def as_copies(cell: Cell, motion: Simulation) -> tuple[Settled, ...]:
+    """Return what a motion repeats with all copies, where `outcome_of` takes them for one."""
+    again = repeated(cell, motion.segments)
+    are_copies = again is not None and shortest(cell, again) != again
+    return (_settled_on(cell, again),) if again and are_copies else ()
 
 
 def nearly(cell: Cell, motion: Simulation, cycles: int) -> Iterator[Settled]:

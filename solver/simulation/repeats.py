@@ -100,6 +100,26 @@ def repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] |
     return None
 
 
+def shortest(cell: Cell, again: tuple[Segment, ...]) -> tuple[Segment, ...]:
+    """Return the first of several copies, as far as one can tell, that repeated phases are.
+
+    A motion that winds about its orbit as it comes near is back sooner after several periods
+    than after one: all copies are within `NEAR` of the orbit.
+    """
+    for length in range(1, len(again) // 2 + 1):
+        turns = (again[length].t - again[0].t) / cycle(cell)
+        is_whole = not cell.forced or abs(turns - round(turns)) <= NEAR
+        pairs = zip(again[length:], again, strict=False)
+        if len(again) % length == 0 and is_whole and all(_near(one, two) for one, two in pairs):
+            return again[:length]
+    return again
+
+
+def _near(one: Segment, two: Segment) -> bool:
+    """Whether two segments that are within `NEAR` of their limits may have the same limit."""
+    return _same(one, two, 2 * NEAR, min(1.0, max(map(abs, one.state))))
+
+
 def returns(
     cell: Cell, segments: tuple[Segment, ...], cycles: int
 ) -> list[tuple[Segment, ...]]:

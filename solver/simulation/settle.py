@@ -16,7 +16,7 @@ from ..scenes.ordered import of_all_phases, placed
 from ..scenes.orders import declared_order
 from .machine import Machine
 from .machines import machine_of
-from .outcome import Settled, nearly, outcome_of
+from .outcome import Settled, as_copies, nearly, outcome_of
 from .record import Simulation
 from .repeats import slowest_decay
 from .segment import Segment
@@ -119,8 +119,9 @@ def _followed(case: Case, start: AnyState, most: int) -> tuple[Settled, ...]:
         outcome = outcome_of(cell, motion)
         enough = outcome.conclusive or motion.ended or left < 1
         if enough or cycles >= _lasting(cell):
-            near = () if outcome.conclusive else nearly(cell, motion, case.cycles)
-            return outcome, *near
+            if outcome.conclusive:
+                return outcome, *as_copies(cell, motion)
+            return outcome, *nearly(cell, motion, case.cycles)
         cycles = min(LONGER * cycles, _lasting(cell))
 
 

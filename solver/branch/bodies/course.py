@@ -1,13 +1,15 @@
 """The equations of an order of phases of a body along a branch, and its watched forms."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any, TypeAlias
+from dataclasses import dataclass, field, replace
+from typing import Any, Self, TypeAlias
 
 import numpy as np
 
 from ...arrays import Integers, Matrix, Vector
 from ...bodies.exact import evaluated
 from ...bodies.laws import under
+from ...bodies.modal import Modal, facing
 from ...bodies.part import parts_of
 from ...kernels import linking
 from ...kernels.family import Family
@@ -40,10 +42,31 @@ def linked(module: Any, make: linking.Make) -> dict[str, Any]:
 BODIES = Family(linked, (*walk.MODULES, *OWN), seconds=20.0)
 
 
+@dataclass(frozen=True)
 class BodyCourse(Course):
-    """An order of phases of a scene of a body."""
+    """An order of phases of a scene of a body.
+
+    Parameters
+    ----------
+    reference : Modal, optional
+        The body whose shapes those of all others face; see `facing`.
+    """
+
+    reference: Modal | None = field(default=None, compare=False)
 
     family = BODIES
+
+    def cell(self, numbers: tuple[float, ...]) -> Cell:
+        """Return its cell for parameters without units, its shapes on the sides chosen."""
+        return self._faced(super().cell(numbers))
+
+    def about(self, numbers: tuple[float, ...]) -> Self:
+        """Return it with the shapes that it has for some parameters as reference."""
+        return replace(self, reference=self.cell(numbers).body)
+
+    def _faced(self, cell: Cell) -> Cell:
+        body = facing(cell.body, self.reference) if self.reference else cell.body
+        return cell if body is cell.body else replace(cell, body=body)
 
     @property
     def most(self) -> int:
@@ -82,7 +105,7 @@ class BodyCourse(Course):
 
     def unknowns(self, orbit: ExactOrbit) -> Vector:
         """Return those of an exact orbit, without units: its state, and its times."""
-        cell: Cell = orbit.case.cell
+        cell = self._faced(orbit.case.cell)
         return np.append(evaluated(cell, orbit.times).starts[0], orbit.times)
 
     def sizes(self, cell: Cell, case: Case) -> Vector:

@@ -119,11 +119,15 @@ class AtEvent(Reading):
         ended = self.ended_by(last.step, demand)
         if ended is None:
             return
+        state = after.state
+        if not self.machine.node(ended).changes_velocity:  # phase p may end by a jump
+            at_end = self.course.state(self.equations, self.z, p, last.s)
+            state = self.next_cell(replace(self.slots[p], state=at_end)).state
         first = [(step,) for step in self.steps if self.allows(ended, step)]
         pairs = [(one, two) for (one,) in first for two in self.steps if self.allows(one, two)]
         for beyond in (*first, *pairs):
             if self.allows(beyond[-1], after.step):
-                new = [Slot(step, after.state, 0.0) for step in beyond]
+                new = [Slot(step, state, 0.0) for step in beyond]
                 grows = tuple(range(len(slots), len(slots) + len(new)))
                 visited = (*slots[:-1], replace(last, step=ended), *new)
                 yield Candidate(visited, self.half, angle, grows)
