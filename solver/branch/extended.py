@@ -44,9 +44,6 @@ AN_INSTANT, A_MOMENT = 1e-100, 1e-8
 #: Most corrections of a step; size of the last one; most of the ratio of two corrections.
 CORRECTIONS, SMALL, FALL = 8, 1e-9, 0.5
 
-#: Size of a first correction that may be rounding, so that the second is as large.
-BARELY = 1e-12
-
 #: Size of a correction from which Newton's method does not come back; series overflow there.
 ASTRAY = 1e6
 
@@ -234,8 +231,8 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
     -------
     converged : bool
     fall : float
-        The ratio of the second correction to the first; 0 without a second one, or where both
-        are rounding.
+        The ratio of the second correction to the first; 0 without a second one, or where the
+        first is so small that both may be rounding.
     """
     n = len(y) - 1
     J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)
@@ -250,7 +247,7 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
         before, size = size, newton_step(y, step, J, rows, scales, along[4])
         if not size < ASTRAY:
             return False, fall
-        if turn == 1 and before > BARELY:
+        if turn == 1 and before > SMALL:
             fall = size / before
         if size <= ROUNDOFF or (size <= SMALL and size > FALL * before):
             return True, fall

@@ -204,3 +204,30 @@ def test_a_motion_that_stops_switching_may_stay_in_its_phase() -> None:
     """The slider never slips again, and its spring rings on about any length."""
     with pytest.raises(ns.NoOrbit, match=r"in the last \d+, it may stay in stick"):
         exact_orbit(SHIPPED["jenkins-absorber"](friction=50.0))
+
+
+@pytest.mark.parametrize("first", ["slip", "stick"])
+def test_what_winds_about_its_orbit_settles_on_it(first: str) -> None:
+    """Its multipliers turn it by 95 degrees: after four periods it is back first."""
+    belt, static, kinetic, weak = sp.symbols("V f_s f_k w", positive=True)
+    K = np.array([[4.3779, -0.2279], [-0.2279, 0.2279]])
+    body = Body(M=np.diag([0.2587, 2.9835]), K=K, ratio=0.0503, at={"tip": [1, 0]})
+    tip = body.at["tip"]
+    holds = {"forwards": static - tip.force, "back": static + tip.force}
+    stick = Phase("stick", tip.a, Event(tip.force - static), holds, held=belt)
+    law = tip.force - kinetic + weak * (belt - tip.v)
+    slip = Phase("slip", law, Event(tip.v - belt), {"slower": belt - tip.v})
+    own = (
+        Parameter("belt", belt, "m/s", 0.0356, "speed of the belt"),
+        Parameter("static", static, "N", 1.0, "largest force of static friction"),
+        Parameter("kinetic", kinetic, "N", 0.5615, "force of kinetic friction"),
+        Parameter("weakening", weak, "N s/m", 0.0535, "by which it falls with the speed"),
+    )
+    phases = (slip, stick) if first == "slip" else (stick, slip)
+    scene = ns.scene(Scene("on-a-belt", "two masses, one on a belt", own, phases, body=body))
+    orbit = ns.exact(scene())
+    durations = {phase.name: phase.duration for phase in orbit.phases}
+    assert durations == pytest.approx({"slip": 0.807277913, "stick": 5.379484758}, rel=1e-9)
+    assert orbit.phases[0].name == first
+    beyond, *_ = np.sort(np.abs(orbit.multipliers))[::-1]
+    assert 0.9 < beyond < 1

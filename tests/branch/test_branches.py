@@ -481,11 +481,18 @@ def test_a_branch_from_an_orbit_in_a_file(run, tmp_path: Path) -> None:
     assert status == 0
     kinds = [event["kind"] for event in json.loads(out)["events"]]
     assert kinds == ["grazing", "fold", "fold", "grazing"]
+    assert run("solve", *FLAGS, "-o", path)[0] == 0  # by every method
+    status, out, _ = run("branch", "clearance", *vary, "--json")
+    assert status == 0
+    assert [event["kind"] for event in json.loads(out)["events"]] == kinds
     status, _, err = run("branch", *FLAGS, *vary)
     assert status == 2
     assert "given beside --from-orbit" in err
     _, _, err = run("branch", "clearance", *vary[:1], "frequency=2:3", *vary[2:])
     assert err.startswith("nonsmooth: --from-orbit: got one at frequency = ")
+    others = (SPRING.with_value("frequency", value) for value in (1.0, 1.1))
+    ns.save([ns.solve(other, method="ck-tau", order=10) for other in others], path)
+    assert "holds 2 different orbits, expected one" in run("branch", "clearance", *vary)[2]
 
 
 def test_all_branches_have_those_that_coexist(run, tmp_path: Path) -> None:

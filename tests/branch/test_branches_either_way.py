@@ -337,3 +337,44 @@ def test_two_phases_behind_a_surface_vanish_where_it_is_no_longer_reached() -> N
     )()
     for (event,) in both_ways(case, "gap", (1.45, 2.18), (1.7, 2.0)):
         assert event.parameter == pytest.approx(1.82135084396810)
+
+
+@pytest.mark.parametrize("friction", [0.5, 0.87])
+def test_a_phase_begins_just_before_a_landing_with_the_speed_before_it(friction: float) -> None:
+    """The mass reaches the speed of the belt as it lands on a stop, from either side."""
+    f, g = sp.symbols("f g", positive=True)
+    moves, land = m * a + c * v + k * x - F * forcing, Event(x - g, jump={v: 0})
+    pull, presses = k * x + c * V - F * forcing, F * forcing + f - k * g
+    before = {"before the stop": g - x}
+    holds = {"forwards": f - pull, "back": f + pull, **before}
+    slip = Phase("slip", moves - f, Event(v - V) | land, {"slower": V - v, **before})
+    stick = Phase("stick", a, Event(pull - f) | Event(pull + f) | land, holds, held=V)
+    ahead = Phase("ahead", moves + f, land | Event(v - V), {"faster": v - V, **before})
+    rest = Phase("rest", a, Event(presses), {"it presses": presses}, held=0)
+    own = parameters(friction=(f, "N", 0.5), gap=(g, "m", 0.53), belt=(V, "m/s", 1.35))
+    own += oscillator(1.0, 0.4, 1.0, 1.42)
+    phases = (slip, stick, ahead, rest)
+    scene = ns.scene(Scene("landing", "a mass on a belt", own, phases, frequency=Omega))
+    found = ns.branch(scene(friction=friction), "friction", 0.5, 0.87)
+    assert [event.kind for event in found.events] == ["sticking"]
+    assert found.events[0].parameter == pytest.approx(0.551930651358, rel=1e-11)
+    assert found.why_it_ended == ("the end of the range",) * 2
+    motions = {"".join(sorted(row.motion.split(","))) for row in found.rows}
+    assert motions == {"restslip_by_2", "restslipstick_by_3"}
+    for row in (found.rows[0], found.rows[-1]):
+        exact = exact_orbit(scene(friction=row.value))
+        assert sorted(row.durations) == pytest.approx(sorted(exact.durations), rel=1e-9)
+
+
+def test_an_orbit_that_hardly_moves_is_followed_though_it_does_not_change() -> None:
+    """Its first corrections are rounding, a hundred times that of a motion of unit size."""
+    f, h = sp.symbols("f h", positive=True)
+    pull, own = k * x - F * forcing, oscillator(1.0, 0.0, 1.0, 1.0332)
+    slip = Phase("slip", m * a + c * v + pull + f, Event(v), {"forwards": v, "far": h - x})
+    stick = Phase("stick", a, Event(pull + f), {"holds": f - sp.Abs(pull)}, held=0)
+    own += parameters(friction=(f, "N", 0.97), far=(h, "m", 1.0))
+    scene = Scene("slider", "a slider", own, (slip, stick), frequency=Omega, half_period=True)
+    found = ns.branch(ns.scene(scene)(), "far", 0.5, 2.0)
+    assert found.why_it_ended == ("the end of the range",) * 2
+    first, last = found.rows[0], found.rows[-1]
+    assert last.durations == pytest.approx(first.durations, rel=1e-9)

@@ -446,3 +446,34 @@ def test_where_a_second_contact_ends_the_linear_response_is_beyond() -> None:
     assert found.why_it_ended == ("the end of the range",) * 2
     assert found[-1].motion in ("only p000", "only p001")
     assert course_of(case_of_two).most == 2 * course.MOST
+
+
+def test_a_mode_keeps_its_side_along_a_mass() -> None:
+    """By itself the second mode of this row turns to the other side at 2.003 and 2.013 kg."""
+    n, tip, gap, Omega = 4, *sp.symbols("m_t g Omega", positive=True)
+    K, M = sp.Matrix(chain_stiffness(n)), sp.diag(*[1] * (n - 1), tip)
+    push, end = [1.0] + [0.0] * (n - 1), [0.0] * (n - 1) + [1.0]
+    body = Body(M=M, K=K, C=K / 20, forcing=sp.Matrix(push), at={"end": end})
+    at = body.at["end"]
+    bounce = Event(at.x - gap, jump={at.v: -0.6 * at.v})
+    own = (
+        Parameter("tip", tip, "kg", 2.2, "mass of the last"),
+        Parameter("gap", gap, "m", 0.2, "distance of the stop"),
+        Parameter("frequency", Omega, "rad/s", 0.4, "angular frequency"),
+    )
+    flight = Phase("flight", at.force, bounce, {"before the stop": gap - at.x})
+    scene = Scene("row", "a row", own, (flight,), frequency=Omega, body=body)
+    case_of_row = ns.scene(scene)()
+    found = ns.branch(case_of_row, "tip", 1.99, 2.06)
+    assert found.why_it_ended == ("the end of the range",) * 2
+    assert found.events == ()
+    for row in (found.rows[0], found.rows[-1]):
+        exact = exact_orbit(case_of_row.with_value("tip", row.value))
+        assert row.durations == pytest.approx(exact.durations, rel=1e-9)
+
+
+def chain_stiffness(n: int) -> np.ndarray:
+    """Return the stiffness of a row of masses that is fixed at its begin."""
+    K = 2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1)
+    K[-1, -1] = 1
+    return K

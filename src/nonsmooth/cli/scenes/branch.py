@@ -11,6 +11,7 @@ from nonsmooth.files.api import load
 from nonsmooth.files.file_errors import FileError
 from nonsmooth.solver import chart as maps
 from nonsmooth.solver.branches import branch, branches
+from nonsmooth.solver.existence.known import are_one
 from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
 from nonsmooth.solver.results.branch import Branch
 from nonsmooth.solver.results.interrupted import Interrupted
@@ -80,7 +81,8 @@ def _start(
 ) -> tuple[Case, ExactOrbit | None]:
     """Return the case, and the exact orbit next to one in a file, if one is named.
 
-    A `Problem` is raised if the file holds no orbit, or has parameters beside it.
+    The file may have the same orbit by several methods.  A `Problem` is raised if it holds no
+    orbit or different ones, or has parameters beside it.
     """
     if from_orbit is None:
         return case_from(given), None
@@ -88,16 +90,17 @@ def _start(
         name = next(iter(given.flags), "case")
         raise Problem(f"--{name}: given beside --from-orbit, which says it")
     try:
-        orbit = load(from_orbit, scene=given.about)
+        content = load(from_orbit, scene=given.about)
     except OSError as error:
         raise Problem(f"--from-orbit: cannot read {from_orbit}: {error.strerror}") from error
     except FileError as error:
         raise Problem(f"--from-orbit: {error}") from error
-    if not isinstance(orbit, Orbit) or orbit.exact is None:
-        raise Problem(
-            f"--from-orbit: {from_orbit}: holds no single orbit that is near an exact one"
-        )
-    return orbit.case, orbit.exact
+    orbits = content if isinstance(content, list) else [content]
+    exact = [q.exact for q in orbits if isinstance(q, Orbit) and q.exact is not None]
+    if not exact or not all(are_one(exact[0], other) for other in exact[1:]):
+        holds = f"{len(exact)} different orbits" if exact else "no orbit next to an exact one"
+        raise Problem(f"--from-orbit: {from_orbit}: holds {holds}, expected one")
+    return exact[0].case, exact[0]
 
 
 def _diagrams(case: Case, followed: Branch, along: Vary[float]) -> tuple[Diagram, ...]:
