@@ -170,7 +170,7 @@ def marks(M: Any, shapes: Matrix) -> Matrix:
 
     Products of two rows are, roughly, in proportion to those of the shapes.
     """
-    fixed = np.random.default_rng(1).standard_normal((M.shape[0], MARKS))
+    fixed = np.random.default_rng(1).random((M.shape[0], MARKS)) - 0.5
     return np.asarray((shapes * np.sqrt(M.diagonal())[:, None]).T @ fixed)
 
 

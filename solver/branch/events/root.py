@@ -28,7 +28,7 @@ SIDES = 1e-6, 1e-5, 1e-4, 1e-3
 
 #: Where branches meet, equations are singular: orbits are taken at these places beside, times
 #: the first of these parts of a step that is large enough.
-ACROSS, WIDTHS = (-3, -1, 1, 3), (1e-3, 1e-2, 1e-1)
+ACROSS, WIDTHS = (-5, -3, -1, 1, 3, 5), (1e-3, 1e-2, 1e-1)
 
 #: Largest third difference of a smooth function there, as a part of its change: more is seen
 #: where an orbit is one of the other branch.
@@ -150,9 +150,9 @@ def _across(
             steps = at + part * length * np.array(ACROSS)
             places = [piece.stepped(before, float(step)) for step in steps]
             heights = _singularities(piece, places)
-            rise, bent = heights[-1] - heights[0], np.diff(heights, 3)[0]
+            rise, bent = heights[-1] - heights[0], np.abs(np.diff(heights, 3)).max()
             is_monotone = (np.diff(heights) * rise > 0).all()
-            if is_monotone and abs(bent) <= BENT * abs(rise) and heights[0] * heights[-1] < 0:
+            if is_monotone and bent <= BENT * abs(rise) and heights[0] * heights[-1] < 0:
                 return _at_zero(heights, steps, places, i)
     raise NoStepError
 
