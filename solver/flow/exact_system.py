@@ -134,7 +134,7 @@ def exact_kernel(cell: Cell) -> Kernel:
     if isinstance(cell, BodyCell):
         return bodies.exact_kernel(cell)
     count, account = len(cell.phases), FAMILY.account_of(__name__)
-    of = FAMILY.quicker(__name__)
+    of = FAMILY.quicker(__name__, count)
     return Kernel(
         method="exact",
         durations=count,

@@ -11,7 +11,7 @@ from typing import Any
 from ..iteration.iteration import iterate_scene
 from ..scenes.methods import module_of
 from . import compiling, linking
-from .account import COMPILE, Account
+from .account import COMPILE, PLAIN_PHASES, Account
 from .compiling import Entries, rebuilt
 from .kernel import Kernel, for_others
 from .linking import Make, text_of
@@ -81,9 +81,14 @@ class Family:
         text = text_of(sys.modules[name], *self.modules, compiling)
         return hashlib.sha256(name.encode() + text).hexdigest()[:16]
 
-    def quicker(self, name: str) -> dict[str, Any]:
-        """Return the functions of the module of a name, compiled if that pays by now."""
-        return (self.compiled if self.account_of(name).pays() else self.plain)(name)
+    def quicker(self, name: str, phases: int = 0) -> dict[str, Any]:
+        """Return the functions of the module of a name, compiled if that pays by now.
+
+        For many phases they are compiled if numba's cache has them.
+        """
+        account = self.account_of(name)
+        pays = account.pays() or (phases > PLAIN_PHASES and account.is_cached())
+        return (self.compiled if pays else self.plain)(name)
 
     def call(self, module: str, function: str, *arguments: Any) -> Any:
         """Call a function of a module, compiled if that pays by now; count the time if not.

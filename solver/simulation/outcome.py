@@ -6,6 +6,7 @@ switch follows any more is said only if it is proven.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 
@@ -117,7 +118,7 @@ def nearly(cell: Cell, motion: Simulation, cycles: int) -> Iterator[Settled]:
     They are those of its closest `returns`: for a motion that has not settled.
     """
     where = "a simulation that almost returns"
-    for again in returns(cell, motion.segments, cycles)[:RETURNS]:
+    for again in islice(returns(cell, motion.segments, cycles), RETURNS):
         found = _settled_on(cell, again)
         times = found.times and replace(found.times, words=where)
         if times or found.other:
@@ -147,7 +148,10 @@ def _from_the_first(cell: Cell, again: tuple[Segment, ...]) -> tuple[Segment, ..
 
 def _of_a_motion(cell: Cell, again: tuple[Segment, ...]) -> bool:
     """Whether one of several motions declares the order of repeated phases."""
-    order, motions = Order(tuple(q.named for q in again)), orders_of_motions(cell)
+    motions = orders_of_motions(cell)
+    if all(len(again) not in (len(q.steps), 2 * len(q.steps)) for q in motions):
+        return False
+    order = Order(tuple(q.named for q in again))
     return order in motions or half_if_mirrored(cell, order) in motions
 
 

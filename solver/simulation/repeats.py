@@ -7,7 +7,7 @@ method of close returns, Lathrop and Kostelich 1989).
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -122,34 +122,34 @@ def _near(one: Segment, two: Segment) -> bool:
 
 def returns(
     cell: Cell, segments: tuple[Segment, ...], cycles: int
-) -> list[tuple[Segment, ...]]:
-    """Return phases after which a motion is almost back, of each order the closest ones.
+) -> Iterator[tuple[Segment, ...]]:
+    """Yield phases after which a motion is almost back, of each order the closest ones.
 
     The closest of all come first.  With a forcing they take `cycles` of its periods, and their
     durations are scaled to do so exactly.
     """
     done, period = segments[:-1], cycle(cell) * cycles if cell.forced else math.inf
     if not done:
-        return []
+        return
     states, times = np.array([q.state for q in done]), np.array([float(q.t) for q in done])
     spread = states.std(axis=0)
     states = states / np.where(spread > 0, spread, 1.0)
-    best: dict[tuple[Step, ...], tuple[float, tuple[Segment, ...]]] = {}
-    for i, first in enumerate(done):
+    found: list[tuple[float, int, int]] = []
+    for i in range(len(done)):
         following = slice(i + 1, i + 1 + (LONGEST_FORCED if cell.forced else LONGEST))
         off = np.abs(states[following] - states[i]).max(axis=1)
         if cell.forced:
             late = np.abs(times[following] - times[i] - period) / period
             off += np.where(late <= TIMELY, late, math.inf)
-        for j in map(int, np.flatnonzero(off <= CLOSE)):
-            back = done[i + 1 + j]
-            if (back.began, back.named) != (first.began, first.named):
-                continue
-            order = _from_the_least([q.named for q in done[i : i + 1 + j]])
-            if off[j] <= best.get(order, (CLOSE,))[0]:
-                best[order] = float(off[j]), done[i : i + 1 + j]
-    found = [again for _, again in sorted(best.values(), key=lambda each: each[0])]
-    return [_lasting(again, period) for again in found]
+        found += [(float(off[j]), i, i + 1 + j) for j in map(int, np.flatnonzero(off <= CLOSE))]
+    orders: set[tuple[Step, ...]] = set()
+    for _, i, j in sorted(found):
+        first, back = done[i], done[j]
+        if (back.began, back.named) == (first.began, first.named):
+            order = _from_the_least([q.named for q in done[i:j]])
+            if order not in orders:
+                yield _lasting(done[i:j], period)
+            orders.add(order)
 
 
 def _from_the_least(steps: Sequence[Step]) -> tuple[Step, ...]:

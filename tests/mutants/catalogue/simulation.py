@@ -19,8 +19,8 @@ MUTANTS = (
     Mutant(
         "Newton's method does not start where a motion almost repeats",
         "solver/simulation/outcome.py",
-        "returns(cell, motion.segments, cycles)[:RETURNS]",
-        "returns(cell, motion.segments, cycles)[:0]",
+        "islice(returns(cell, motion.segments, cycles), RETURNS)",
+        "islice(returns(cell, motion.segments, cycles), 0)",
         ("tests/simulation/test_settle.py::test_newton_starts_where_a_motion_almost_repeats",),
     ),
     Mutant(
