@@ -146,10 +146,23 @@ def returns(
     for _, i, j in sorted(found):
         first, back = done[i], done[j]
         if (back.began, back.named) == (first.began, first.named):
-            order = _from_the_least([q.named for q in done[i:j]])
-            if order not in orders:
-                yield _lasting(done[i:j], period)
-            orders.add(order)
+            again = done[i:j]
+            for each in (again,) if cell.forced else (_mean(again), again):
+                order = _from_the_least([q.named for q in each])
+                if order not in orders:
+                    yield _lasting(each, period)
+                orders.add(order)
+
+
+def _mean(again: tuple[Segment, ...]) -> tuple[Segment, ...]:
+    """Return phases that are repeated in turn once, with the means of their durations."""
+    names = [q.named for q in again]
+    for count in range(1, len(again)):
+        if names[count:] + names[:count] == names:
+            durations = np.reshape([q.s for q in again], (-1, count)).mean(axis=0)
+            pairs = zip(again, durations.tolist(), strict=False)
+            return tuple(replace(q, s=s) for q, s in pairs)
+    return again
 
 
 def _from_the_least(steps: Sequence[Step]) -> tuple[Step, ...]:
