@@ -121,6 +121,14 @@ def resolved(
     ------
     ArithmeticError
         If no part of the interval can be resolved.
+
+    Examples
+    --------
+    >>> one, unit = np.zeros(1, dtype=int), Interval(0.0, 1.0)
+    >>> resolved(lambda value: np.array([value**2]), 0.5, unit, one)[0]
+    array([[0.375, 0.5  , 0.125]])
+    >>> resolved(lambda value: np.array([abs(value - 0.9)]), 0.5, unit, one)[1]
+    Interval(low=0.25, high=0.75)
     """
     for part in interval.halves_about(value):
         series = _series(values, part, blocks)
