@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 from ..scenes.case import Case
 from .machine import Machine
@@ -15,6 +16,9 @@ from .steps.locate import BEYOND, EVENT, LOST, MOST_STEPS
 from .steps.run import MOST_PHASES
 from .steps.state import AnyState
 from .steps.step import CHATTERS, REFUSED, Passed
+
+#: So many pairs of phases, each less than half as long as the one before, are chatter.
+PAIRS = 4
 
 
 @dataclass(frozen=True)
@@ -82,6 +86,9 @@ def walk(
         if passed.how not in (EVENT, REFUSED) or most < 1:
             return segments, place, _ended(segments[-1], passed.how), most
         t = place.t + Fraction(s)
+        if passed.how == REFUSED and _falls(pairs := _in_pairs(segments)):
+            words = _chatter(case, segments[-1], end_of(segments[-1].s, *pairs[-2:]))
+            return segments, place, words, most
         if passed.how == REFUSED:
             when = f"at t = {float(t) * case.units.time:.6g} s"
             undecided = machine.undecided(p, surface, passed.behind)
@@ -117,6 +124,21 @@ def _last(segments: list[Segment]) -> list[float]:
     """Return the durations of the last `CHATTER` phases, infinite where there are fewer."""
     last = [q.s for q in segments[-CHATTER:]]
     return [math.inf] * (CHATTER - len(last)) + last
+
+
+def _in_pairs(segments: list[Segment]) -> list[float]:
+    """Return how long the last `PAIRS` pairs of phases last.
+
+    A jump off a stop and the way back are two phases, where another event lies between, such
+    as the velocity that vanishes under friction.
+    """
+    last = _last(segments)[-2 * PAIRS :]
+    return [sum(last[i : i + 2]) for i in range(0, len(last), 2)]
+
+
+def _falls(durations: list[float]) -> bool:
+    """Whether each duration is less than half of the one before."""
+    return all(after < before / 2 for before, after in pairwise(durations))
 
 
 def _chatter(case: Case, last: Segment, s: float) -> str:

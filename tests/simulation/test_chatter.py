@@ -5,9 +5,11 @@ import math
 import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 from stops import DAMPING, GAP, OMEGA, between_two, resting
 
 import nonsmooth as ns
+from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
 
 
 def accumulation(t, v, restitution):
@@ -102,9 +104,10 @@ def test_between_two_stops_it_rests_on_either(restitution) -> None:
     rests = [(q.mirrored, q.displacement) for q in one.phases if q.name == "phase 1"]
     assert set(rests) == {(False, GAP), (True, -GAP)}
     assert [q.name for q in one.phases] == [q.name for q in other.phases]
-    for a, b in zip(one.phases, other.phases, strict=True):
+    for up, down in zip(one.phases, other.phases, strict=True):
         for found, expected in (
-            (a.start, b.start), (a.displacement, -b.displacement), (a.velocity, -b.velocity)
+            (up.start, down.start), (up.displacement, -down.displacement),
+            (up.velocity, -down.velocity),
         ):  # fmt: skip
             assert found == pytest.approx(expected, rel=0, abs=1e-11)  # as they are located
 
@@ -127,3 +130,25 @@ def test_phases_that_stay_as_short_are_not_chatter() -> None:
     motion = ns.simulate(case, (0, 0.02), time=5e-6)
     assert motion.ended == ""
     assert len(motion.phases) == pytest.approx(5e-6 * 0.02 / 2e-9, abs=1)
+
+
+def test_impacts_that_accumulate_with_stops_by_friction_between_are_chatter() -> None:
+    """Each jump off the stop ends by friction, then the force drives the mass back."""
+    f, g, r, F, Omega = sp.symbols("f g r F Omega", positive=True)
+    m, c, k = sp.symbols("m c k", positive=True)
+    pull, values = k * x - F * forcing, (1.0, 0.151, 1.0, 1.0, 0.9228, 0.2218, 0.1225, 0.2019)
+    jump = Event(x - g, jump={v: -r * v}, to="-slip")
+    ahead = {"ahead": v, "before the stop": g - x}
+    slip = Phase("slip", m * a + c * v + pull + f, Event(v) | jump, ahead)
+    ends = Event(pull - f, to="-slip") | Event(pull + f, to="slip")
+    stick = Phase("stick", a, ends, {"it holds": f - sp.Abs(pull)}, held=0)
+    units = ("kg", "N s/m", "N/m", "N", "rad/s", "m", "N", "")
+    known = zip((m, c, k, F, Omega, g, f, r), units, values, strict=True)
+    own = tuple(Parameter(str(q), q, unit, value, "a number") for q, unit, value in known)
+    scene = Scene(
+        "rub", "friction between stops", own, (slip, stick), frequency=Omega, half_period=True
+    )
+    motion = ns.simulate(ns.scene(scene)(), (0.0, 0.0), cycles=10)
+    assert motion.ended.startswith("chatter: slip ends ever sooner, the switches accumulate at")
+    impact, stop, *_ = (q.duration for q in motion.phases[-4:])
+    assert min(impact, stop) < 1e-6
