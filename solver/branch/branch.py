@@ -14,13 +14,14 @@ from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.case import Case
 from ..scenes.ordered import placed
 from ..scenes.orders import Order, Step, image
+from .across import across, followed_back
 from .bodies.course import BodyCourse
 from .course import Course
 from .events.locate import Found
-from .follow import CLOSED, PART, Segment, follow, in_units
+from .follow import CLOSED, NO_STEP, PART, Segment, follow, in_units
 from .for_ever import for_ever
 from .meeting import halved, symmetric
-from .orders.change import beyond
+from .orders.change import beyond, why_none
 from .piece import Piece
 from .place import NoStepError, Place
 from .walk import FLIP, FOLD, MEETS, NEUTRAL, OWN
@@ -31,9 +32,9 @@ MOST_SEGMENTS = 60
 #: Step from an orbit at an event to one beside it.
 ASIDE = 1e-4
 
-#: Most orbits followed back to an event, about; how near to it they must arrive, as a part of
-#: the range.
-FEW, SAME = 16, 1e-9
+#: How near to an event the orbits that are followed back to it must arrive, as a part of the
+#: range.
+SAME = 1e-9
 
 #: Difference of durations, as a part of the cell, by which an orbit is another one.
 DIFFERENT = 1e-6
@@ -183,10 +184,12 @@ def go(
             segments.append(segment)
             follow(segment, (piece, first), part, progress)
             cut_where_violated(segment)
+            orbit = across(segment, part) if segment.why == NO_STEP else None
             end = segment.end
-            orbit = None if end is None else beyond(end)
             if end is not None and orbit is None:
-                segment.why = f"{end.kind}, beyond which no order of phases is found"
+                orbit = beyond(end)
+            if end is not None and orbit is None:
+                segment.why = f"{end.kind}, beyond which {why_none(end)}"
             if orbit is not None and len(orbit[0].course.order.steps) > orbit[0].course.most:
                 segment.why = f"beyond, an orbit has more than {orbit[0].course.most} phases"
                 orbit = None
@@ -223,13 +226,10 @@ def begun(since: Found | None, orbit: tuple[Piece, Place], part: float) -> Segme
     These are found by following the branch back to the event, where the multipliers may change
     without bounds.
     """
-    piece, place = orbit
-    segment = Segment([orbit])
+    piece, segment = orbit[0], Segment([orbit])
     if since is None:
         return segment
-    turned = piece, piece.place(place.y, -place.tangent)
-    back = Segment([turned])
-    follow(back, turned, part, most=FEW)
+    back = followed_back(orbit, part)
     tolerance = SAME * (piece.bounds[1] - piece.bounds[0])
     if back.end is not None and abs(back.end.value - since.value) <= tolerance:
         segment.points = [*reversed(back.points[1:-1]), orbit]

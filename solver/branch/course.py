@@ -17,10 +17,12 @@ from ..rows.joints import F
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
+from ..scenes.orders import Columns, memory_columns
 from ..scenes.parameter_error import ParameterError
 from ..simulation.machine import Machine
 from ..simulation.nodes import Node
 from ..simulation.steps.column import NONE, WALL
+from ..simulation.steps.state import AnyState, State
 from . import walk, watch
 from .along import (
     Along,
@@ -282,6 +284,18 @@ class Course(Itinerary):
     def moving_at(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return displacement and velocity at time t of phase p; see `state`."""
         return self.state(case, z, p, t)
+
+    def whole_state(self, case: Any, z: Vector, p: int, t: float, angle: float) -> AnyState:
+        """Return the state at time t of phase p as simulations take it, with the memory."""
+        values = z[2 * len(self.order.steps) :]
+        signed = ((q and q[1] * values[q[0]]) for q in self.columns(p))
+        x, v = self.state(case, z, p, t)
+        return State(x, v, angle, memory=tuple(q or 0.0 for q in signed))
+
+    def columns(self, p: int) -> Columns:
+        """Return where the unknowns have the memories that the scene declares, on phase p."""
+        setters = tuple(memory.setter for memory in self.base.cell(self._numbers).memory)
+        return memory_columns(setters, self.order)[p]
 
     def case_of(self, cell: Cell, forms: list[Form]) -> Any:
         """Return the arrays of a cell followed by its forms, as `extended.case_at` does."""

@@ -39,6 +39,7 @@ CLOSES = -1
 #: Why a branch ends.
 CLOSED, RANGE = "the branch is closed", "the end of the range"
 TWICE = "the orbit becomes one of half its period"
+NO_STEP = "the step cannot get smaller"
 
 #: Size of an unknown, without units, at which an orbit is said to grow beyond all bounds.
 MOST = 1e8
@@ -146,7 +147,7 @@ def _why_stuck(piece: Piece, place: Place) -> str:
             piece.course.cell(numbers)
         except ParameterError as error:
             return f"beyond, {error}"
-    return "the step cannot get smaller"
+    return NO_STEP
 
 
 def _meets(

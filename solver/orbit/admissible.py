@@ -25,8 +25,9 @@ ROUNDING = 1e-9
 #: The same for one mass, relative to the sum of the moduli of the demand's terms.
 OF_TERMS = 1e-13
 
-#: Shortest phase, relative to the cell.  A phase that shrinks to nothing solves the equations
-#: of many scenes; its computed duration is a rounding error of either sign.
+#: Shortest phase, relative to the cell; without a forcing also to the unit of time, as all may
+#: shrink at once.  A phase that shrinks to nothing solves the equations of many scenes; its
+#: computed duration is a rounding error of either sign.
 SHORTEST = 1e-10
 
 #: Duration, relative to the cell, below which the effect of rounding on it is estimated.
@@ -84,10 +85,11 @@ def violations(
     """
     durations = orbit.cell_durations
     total, unit = float(np.sum(durations)), orbit.case.units.time
+    long = total if orbit.cell.forced else max(total, 1.0)
     reasons = [
         f"{phase.name} lasts {s * unit:.6g} s of {total * unit:.6g} s: it has no duration"
         for phase, s in zip(orbit.cell.phases, durations, strict=True)
-        if not s > SHORTEST * total > 0
+        if not s > SHORTEST * long > 0
     ]
     if reasons or not np.isfinite(durations).all():
         return tuple(reasons) or ("the durations are not finite",)

@@ -87,6 +87,11 @@ class Phase:
         """The coefficients of its equation of motion, by which equations are compared."""
         return self.m, self.c, self.k, self.f, self.g, self.held, self.memory
 
+    @property
+    def rests(self) -> bool:
+        """Whether it holds all there is, which may then be anywhere."""
+        return self.held
+
     def cut(self) -> Self:
         """Return the phase cut where the velocity vanishes: event ``x' = 0``, no jump."""
         event = tuple(float(j == 1) for j in range(len(self.event)))

@@ -94,6 +94,9 @@ def in_cell(cell: Cell, order: Order) -> Cell:
 
     Each phase of the order that sets a memory has a memory of its own.
     """
+    if all(cell.phases[step.phase].rests for step in order.steps):
+        what = "in all of them the mass is held, expected one that moves freely"
+        raise UnknownScene(f"phases: {what}")
     setters = tuple(memory.setter for memory in cell.memory)
     slots = [
         (q, columns, after == _first_follower(cell, q))

@@ -11,7 +11,7 @@ from itertools import islice
 import numpy as np
 
 from ..kernels.start import RoughTimes
-from ..scenes.cell import Cell
+from ..scenes.cell import Cell, Memory
 from ..scenes.orders import Order, declared_order, half_if_mirrored, image, orders_of_motions
 from .machines import machine_of
 from .nodes import firsts
@@ -205,13 +205,22 @@ def _no_order(cell: Cell, segments: tuple[Segment, ...]) -> str:
     for q in segments:
         if q.step is None:
             return f"{q.began.called(called)} ends by a demand there, not by its event"
-    phases = {q.named.phase for q in segments}
+    if all(q.phase.rests for q in segments):
+        return "in all of them the mass is held, wherever it is"
+    memory = unset(cell, {q.named.phase for q in segments})
+    if memory is None:
+        return ""
+    if memory.within:
+        return f"none of them sets {memory.name}, which may have any of many values"
+    return f"{called[memory.phase]}, which sets a memory, is not among them"
+
+
+def unset(cell: Cell, phases: set[int]) -> Memory | None:
+    """Return a memory that none of some phases of a cell sets, if they alone take turns."""
     for memory in cell.memory:
-        if memory.within and phases <= {*memory.within}:
-            return f"none of them sets {memory.name}, which may have any of many values"
-        if not memory.within and memory.phase not in phases:
-            return f"{called[memory.phase]}, which sets a memory, is not among them"
-    return ""
+        if phases <= {*memory.within} if memory.within else memory.phase not in phases:
+            return memory
+    return None
 
 
 def _in_order(cell: Cell, segments: tuple[Segment, ...], cycles: int) -> Other:

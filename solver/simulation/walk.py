@@ -129,8 +129,8 @@ def _last(segments: list[Segment]) -> list[float]:
 def _in_pairs(segments: list[Segment]) -> list[float]:
     """Return how long the last `PAIRS` pairs of phases last.
 
-    A jump off a stop and the way back are two phases, where another event lies between, such
-    as the velocity that vanishes under friction.
+    A jump and the way back are two phases, where another event lies between, such as the
+    velocity that vanishes.
     """
     last = _last(segments)[-2 * PAIRS :]
     return [sum(last[i : i + 2]) for i in range(0, len(last), 2)]

@@ -17,6 +17,7 @@ from ...kernels.start import RoughTimes
 from ...orbit.exact_orbit import ExactOrbit, from_times
 from ...scenes.case import Case
 from ...scenes.cell import Form, Phase
+from ...simulation.bodies.state import BodyState
 from .. import walk
 from ..along import SMALL, Along, divided_phases
 from ..course import Course, Row
@@ -155,6 +156,13 @@ class BodyCourse(Course):
     def state(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return the state, with the memory, at time t of phase p."""
         return tuple(map(float, equations.state_at(case, z, p, t)[:-3]))
+
+    def whole_state(self, case: Any, z: Vector, p: int, t: float, angle: float) -> BodyState:
+        """Return the state at time t of phase p as simulations take it, with the memory."""
+        state = self.state(case, z, p, t)
+        count = len(state) - len(self._generic.memory)
+        memory = tuple(state[count + q[0]] if q else 0.0 for q in self.columns(p))
+        return BodyState(state[:count], angle, memory=memory)
 
     def moving_at(self, case: Any, z: Vector, p: int, t: float) -> tuple[float, ...]:
         """Return displacement and velocity of the first contact at time t of phase p."""

@@ -14,6 +14,7 @@ from ...arrays import Vector
 from ...scenes.loaded import UnknownScene
 from ...scenes.orders import Order
 from ...scenes.parameter_error import ParameterError
+from ...simulation.outcome import unset
 from ..course import Course
 from ..events.locate import Found
 from ..for_ever import for_ever
@@ -21,6 +22,7 @@ from ..meeting import halves_apart
 from ..piece import Piece, unit_of
 from ..place import NoStepError, Place
 from ..walk import MEETS, OWN
+from .by_motion import by_motion, places_beside
 from .candidate import Candidate
 from .candidates import AtEvent
 from .reading import BESIDE
@@ -32,6 +34,10 @@ AHEAD = (1e-3, 1e-2, 1e-4, 1e-5)
 #: How far off, in scaled coordinates, an orbit at the event may be found in another order; and
 #: one in which a phase has been inserted.
 SAME, FAR = 1e-4, 1.0
+
+#: How far beside an event a motion is followed; how far off the orbit may be there, as a
+#: multiple of the square root of that: by so much it moves where something is just touched.
+BY_MOTION, WIDTH = (1e-3, 1e-4, 1e-5), 3.0
 
 #: Steps tried away from a flip.
 ASIDE = (1e-4, 1e-2, 1e-3, 3e-2, 1e-1)
@@ -53,7 +59,53 @@ def beyond(event: Found) -> tuple[Piece, Place] | None:
         for ahead in AHEAD:
             with suppress(ArithmeticError, ParameterError, UnknownScene):
                 return _orbit_beyond(event, candidate, ahead)
+    return moved_on(event)
+
+
+def moved_on(event: Found) -> tuple[Piece, Place] | None:
+    """Return an orbit beside an event in the order of phases of a motion there; else None."""
+    at_event = AtEvent(event)
+    for distance in BY_MOTION:
+        for y in places_beside(event, distance):
+            with suppress(ArithmeticError, ParameterError, UnknownScene):
+                return _by_motion(at_event, y, WIDTH * np.sqrt(distance))
     return None
+
+
+def _by_motion(at_event: AtEvent, y: Vector, most: float) -> tuple[Piece, Place]:
+    """Return an orbit beyond an event, in the order of phases that a motion has there.
+
+    Raises
+    ------
+    NoStepError
+        If there is none of another order, or it is farther than `most`: of another branch.
+    """
+    piece = at_event.event.piece
+    candidate = at_event.as_declared(by_motion(at_event.event, y))
+    course, number = candidate.course(piece.course), piece.number(y)
+    if any(each.course(piece.course) == piece.course for each in at_event.rotations(candidate)):
+        raise NoStepError
+    states, durations = zip(*((slot.state, slot.s) for slot in candidate.slots), strict=True)
+    numbers = piece.numbers(y)
+    z = course.gathered(numbers, states, np.array(durations), candidate.angle)
+    unknowns = np.append(z, number)
+    bare = Piece.at(course, piece.case, piece.index, piece.bounds, unknowns, ())
+    border = np.append(np.zeros(len(z)), np.copysign(1.0, y[-1] - at_event.event.place.y[-1]))
+    return _admitted(bare, _near(bare, bare.of_number(unknowns), border, most), border)
+
+
+def why_none(event: Found) -> str:
+    """Return in words why there is no orbit `beyond` an event, as far as that is known."""
+    course, p = event.piece.course, event.phase
+    if event.column is None and p is not None:  # it vanishes
+        cell = course.declares(event.piece.numbers(event.place.y))
+        over = {each.phase for each in (event, *event.at_once) if each.column is None}
+        left = {step.phase for i, step in enumerate(course.order.steps) if i not in over}
+        lasts = len(left) == 1 and not AtEvent(event).leaps(p)  # what sets a memory is over
+        memory = next(iter(cell.memory), None) if lasts else unset(cell, left)
+        if memory is not None:
+            return f"nothing sets {memory.name}, which may have any of many values"
+    return "no order of phases is found"
 
 
 def doubled(event: Found) -> tuple[Piece, Place] | None:

@@ -56,6 +56,11 @@ class BodyPhase(Phase):
         """Its laws, normalised, by which phases are compared."""
         return tuple(map(_scaled, self.laws)), self.held, self.speed
 
+    @property
+    def rests(self) -> bool:
+        """False: a body moves also where a contact is held."""
+        return False
+
     def cut(self) -> Self:
         """Return the phase cut where the velocity vanishes: event ``x' = 0``, no jumps."""
         return replace(super().cut(), jumps=((1.0, 0.0),) * len(self.laws))
