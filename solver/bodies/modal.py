@@ -252,9 +252,10 @@ def _seen_first(at: Matrix, free: Indices) -> Matrix:
 
 def _without_unseen(body: Modal) -> Modal:
     """Return a body without the rigid-body modes that neither contacts nor forcing see."""
-    sizes, damping = np.linalg.norm(body.at, axis=1), np.abs(body.damping)
-    seen = (body.squares != 0) | (sizes > UNSEEN * sizes.max())
-    seen |= damping.max(axis=0) > UNSEEN * damping.max()
+    sizes, coupling = np.linalg.norm(body.at, axis=1), np.abs(body.damping)
+    least = UNSEEN * coupling.max()
+    np.fill_diagonal(coupling, 0.0)  # damped by itself it still moves none of the others
+    seen = (body.squares != 0) | (sizes > UNSEEN * sizes.max()) | (coupling.max(axis=0) > least)
     return replace(
         body, squares=body.squares[seen], damping=body.damping[np.ix_(seen, seen)],
         at=body.at[seen], forcing=body.forcing[seen], marks=body.marks[seen],

@@ -119,10 +119,20 @@ def _followed(case: Case, start: AnyState, most: int) -> tuple[Settled, ...]:
         outcome = outcome_of(cell, motion)
         enough = outcome.conclusive or motion.ended or left < 1
         if enough or cycles >= _lasting(cell):
-            if outcome.conclusive:
-                return outcome, *as_copies(cell, motion)
+            copies = as_copies(cell, motion) if outcome.conclusive else ()
+            if outcome.times or copies or _is_asked(outcome, case.cycles):
+                return outcome, *copies
             return outcome, *nearly(cell, motion, case.cycles)
         cycles = min(LONGER * cycles, _lasting(cell))
+
+
+def _is_asked(outcome: Settled, cycles: int) -> bool:
+    """Whether a motion has settled on what may have a number of periods of the forcing.
+
+    Else an orbit of that period may be near: it flips into one of twice its period.
+    """
+    other = outcome.other
+    return outcome.conclusive and (other is None or other.within(cycles) is not None)
 
 
 def _lasting(cell: Cell) -> float:

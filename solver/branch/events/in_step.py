@@ -8,7 +8,7 @@ import numpy as np
 
 from ..piece import Piece
 from ..place import NoStepError, Place
-from ..walk import OUTSIDE, OWN, happens
+from ..walk import FOLD, MEETS, OUTSIDE, OWN, happens
 from ..watch import END, LEAST, START
 from .locate import Found, by_cubic, change_at, located, torus_crossings
 
@@ -97,9 +97,14 @@ def events_in(
         end = after.monitors
     own = [i for i in range(watched, len(start)) if happens(start[i], end[i], i - watched)]
     real: list[tuple[float, Found | None]] = []
-    for i in own:
-        if i - watched != OUTSIDE:
+    for i in (q for q in own if q - watched != OUTSIDE):
+        try:
             real += located(piece, before, after, length, i)
+        except (
+            NoStepError
+        ):  # it may turn where it meets another, next to which no step succeeds
+            if i - watched != FOLD or watched + MEETS not in own:
+                raise
     if own:
         events += torus_crossings(piece, before, after, length, [at for at, _ in real])
     kept = [entry for entry in events + real if entry[1] is None or _is_within(entry[1])]
