@@ -1,6 +1,7 @@
 """Orders of phases of bodies that their scenes do not declare."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -253,3 +254,40 @@ def test_what_winds_about_its_orbit_comes_to_it(structure, first, durations, slo
     assert orbit.phases[0].name == first
     assert len(orbit.phases) == 2
     assert np.abs(orbit.multipliers).max() == pytest.approx(slowest, abs=2e-3)
+
+
+def test_an_orbit_is_found_where_simulations_settle_on_one_of_twice_its_period() -> None:
+    """Both are stable: that of one period has two contacts, one at either stop."""
+    frequency, gap, other_gap = sp.symbols("Omega g d", positive=True)
+    stiffness, other_stiffness, damper = sp.symbols("k h c", positive=True)
+    springs = [1.506, 0.673, 1.844, 1.787, 0.504]
+    K = np.diag(springs) + np.diag([*springs[1:], 0.0])
+    K -= np.diag(springs[1:], 1) + np.diag(springs[1:], -1)
+    masses = np.diag([1.92, 0.784, 0.769, 1.025, 0.846])
+    places = {"low": np.eye(5)[1], "high": np.eye(5)[2]}
+    body = Body(M=masses, K=K, C=0.0633 * K + 0.02 * masses, forcing=np.eye(5)[3], at=places)
+    low, high = body.at["low"], body.at["high"]
+    off, others = (low.x + gap, high.x - other_gap)
+    ends = Event(off) | Event(others)
+    pushed = low.force + stiffness * off + damper * low.v, high.force + other_stiffness * others
+    phases = []
+    for on_low, on_high in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        laws = (pushed[0] if on_low else low.force, pushed[1] if on_high else high.force)
+        sides = {"low": -off if on_low else off, "high": others if on_high else -others}
+        phases.append(Phase(f"p{on_low}{on_high}", laws, ends, sides))
+    known = (
+        ("frequency", frequency, "rad/s", 1.079), ("gap", gap, "m", 0.7493),
+        ("other_gap", other_gap, "m", 0.145), ("stiffness", stiffness, "N/m", 9.895),
+        ("other_stiffness", other_stiffness, "N/m", 17.725),
+        ("damper", damper, "N s/m", 0.0645),
+    )  # fmt: skip
+    own = tuple(Parameter(*q, q[0]) for q in known)
+    scene = Scene("row", "a row", own, tuple(phases), frequency=frequency, body=body)
+    case_of_row = ns.scene(scene)()
+    settled = next(settled_cases(replace(case_of_row, cycles=2)))
+    assert sum(settled[1].durations) == pytest.approx(4 * math.pi)  # over the frequency
+    orbit = ns.exact(case_of_row)
+    assert orbit.period == pytest.approx(2 * math.pi / 1.079)
+    names = [phase.name.partition("_")[0] for phase in orbit.phases]
+    assert names == ["p00", "p10", "p00", "p01"]
+    assert orbit.stable

@@ -100,9 +100,7 @@ def events_in(
     for i in (q for q in own if q - watched != OUTSIDE):
         try:
             real += located(piece, before, after, length, i)
-        except (
-            NoStepError
-        ):  # it may turn where it meets another, next to which no step succeeds
+        except NoStepError:  # beside where branches meet, the fold of one of them
             if i - watched != FOLD or watched + MEETS not in own:
                 raise
     if own:
