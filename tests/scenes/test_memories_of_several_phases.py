@@ -329,7 +329,7 @@ def test_a_phase_that_vanishes_is_no_grazing_of_the_next(ends) -> None:
     branch = ns.branch(joints(), "low_friction", *ends)
     assert branch.why_it_ended == ("the end of the range",) * 2
     first = branch.events[0]
-    assert (first.kind, first.phase) == ("vanishing", "top")
+    assert (first.kind, first.phase) == ("vanishing", "top"), branch
     assert first.parameter == pytest.approx(0.045859413882997, rel=1e-13)
 
 

@@ -12,8 +12,9 @@ from ..walk import FOLD, MEETS, OUTSIDE, OWN, happens
 from ..watch import END, LEAST, START
 from .locate import Found, by_cubic, change_at, located, torus_crossings
 
-#: Relative distance of two events that are one.
-SAME = 1e-9
+#: Relative distance of two events that are one; and of the vanishing of a phase and an event in
+#: a phase next to it, whose place is known less well there.
+SAME, JOINT = 1e-9, 1e-7
 
 #: Length of a step that is short enough for a cubic to be exact to rounding.
 CLOSE = 1e-3
@@ -51,7 +52,7 @@ def in_turn(entries: Iterable[tuple[float, Found | None]]) -> list[Found]:
     vanish = (event for _, event in events if event.changes and event.column is None)
     count = len(joint[0].piece.along.kinds)
     beside = {((event.phase or 0) + i) % count for event in joint for i in (-1, 0, 1)}
-    alike = (q for q in vanish if abs(q.value - joint[0].value) <= SAME * abs(q.value))
+    alike = (q for q in vanish if abs(q.value - joint[0].value) <= JOINT * abs(q.value))
     joint += [q for q in alike if q.phase in beside]
     change = min(joint, key=lambda each: TURNS.index(each.column))
     error = SAME * abs(change.value)
