@@ -27,7 +27,6 @@ class AtEvent(Reading):
         if column is None:
             yield from self._without_all() if self.event.at_once else ()
             yield from self._without(self.orbit, p, p)
-            yield from self._all_swapped(self.orbit, (self.event, *self.event.at_once))
             return
         row = self.event.piece.rows[self.event.row]
         within = row.kind == WITHIN
@@ -70,40 +69,6 @@ class AtEvent(Reading):
             orbit = orbits[0]
         yield orbit
         yield from self._ended_otherwise(list(orbit.slots), orbit.angle)
-
-    def _all_swapped(self, orbit: Candidate, events: tuple[Found, ...]) -> Iterator[Candidate]:
-        """Yield orders in which the events about each vanished phase are swapped."""
-        event, *others = events
-        vanished = self.slots[event.phase or 0]
-        places = [i for i, slot in enumerate(orbit.slots) if slot is vanished]
-        for swapped in (q for i in places for q in self._swapped(orbit, i, event.phase or 0)):
-            if others:
-                yield from self._all_swapped(swapped, tuple(others))
-            else:
-                yield swapped
-
-    def _swapped(self, orbit: Candidate, i: int, p: int) -> Iterator[Candidate]:
-        """Yield orders in which the events before and behind a phase happen in the other order.
-
-        Of a body two contacts may switch at once.  The phase is phase i of an order, and the
-        orbit's phase p.
-        """
-        begun = next(islice(self.rotations(orbit), (i - 1) % len(orbit.slots), None))
-        slots, angle = list(begun.slots), begun.angle
-        first, last, *rest = slots if len(slots) > 1 else slots * 2
-        state = self.course.state(self.equations, self.z, (p - 1) % len(self.slots), first.s)
-        for step in self.steps:
-            if step == first.step or not self.alike(step, first.step):
-                continue
-            ended = replace(first, step=step)
-            after = rest[0] if rest else self.next_cell(ended)
-            if self.machine.node(step).changes_velocity:
-                state = after.state
-            for other in self.steps:
-                between = other != last.step and self.allows(step, other)
-                if between and self.allows(other, after.step):
-                    swapped = (ended, Slot(other, state, 0.0), *rest)
-                    yield Candidate(swapped, self.half, angle, (*begun.grows, 1))
 
     def _uncrossed(self, p: int) -> Iterator[Candidate]:
         """Yield orders in which phase p goes on at its event, or ends by another."""
