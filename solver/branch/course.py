@@ -17,11 +17,8 @@ from ..rows.joints import F
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
-from ..scenes.orders import Columns, memory_columns
 from ..scenes.parameter_error import ParameterError
-from ..simulation.machine import Machine
-from ..simulation.nodes import Node
-from ..simulation.steps.column import NONE, WALL
+from ..simulation.followers import may_hold
 from ..simulation.steps.state import AnyState, State
 from . import walk, watch
 from .along import (
@@ -94,7 +91,7 @@ class Course(Itinerary):
             v = None if self.endless else self.velocity_behind(cell, z, p)
             for h, node in enumerate(machine.nodes):
                 ended = machine.node(self.order.steps[p])
-                if v is not None and _may_hold(machine, ended, h, v):
+                if v is not None and may_hold(machine, h, ended, v):
                     rows += [Row(p, BEHIND, i, h) for i in range(len(node.phase.demands))]
         return rows
 
@@ -292,11 +289,6 @@ class Course(Itinerary):
         x, v = self.state(case, z, p, t)
         return State(x, v, angle, memory=tuple(q or 0.0 for q in signed))
 
-    def columns(self, p: int) -> Columns:
-        """Return where the unknowns have the memories that the scene declares, on phase p."""
-        setters = tuple(memory.setter for memory in self.base.cell(self._numbers).memory)
-        return memory_columns(setters, self.order)[p]
-
     def case_of(self, cell: Cell, forms: list[Form]) -> Any:
         """Return the arrays of a cell followed by its forms, as `extended.case_at` does."""
         return *arrays(cell), np.array(forms, dtype=float)
@@ -326,14 +318,3 @@ class Course(Itinerary):
                 alike = ((q.phase, q.node) == (row.phase, row.node) for q in rows)
                 table[i, watch.INTO] = list(alike).index(True)
         return table
-
-
-def _may_hold(machine: Machine, ended: Node, h: int, v: float) -> bool:
-    """Whether node h, which holds the velocity at v, could follow any state behind an event."""
-    node, wall = machine.nodes[h], machine.rules.kinds[h, WALL]
-    speed = node.phase.speed
-    if not node.phase.held or abs(v - speed) > ROUNDING * max(1.0, abs(speed)):
-        return False
-    if ended.event in node.demands:  # it has just ended so
-        return False
-    return bool(wall == NONE or machine.nodes[wall].event == ended.event)

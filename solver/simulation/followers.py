@@ -17,7 +17,7 @@ from .bodies.state import BodyState, on
 from .machine import Machine
 from .machines import machine_of
 from .nodes import InState, Node, said
-from .steps.column import ROW
+from .steps.column import NONE, ROW, WALL
 from .steps.state import AnyState, State
 
 if TYPE_CHECKING:
@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 
 #: Rounding of the remainder of a form in `_constant`, relative to its coefficients.
 ROUNDING = 1e-10
+
+#: Difference of a velocity from that of a held phase, relative to it, that is rounding.
+ALIKE = 1e-8
 
 #: Number of derivatives of a demand that are checked behind a switch, from order 0; and of an
 #: event.
@@ -63,6 +66,17 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
                 return False
             row = row @ in_state.generator
     return True
+
+
+def may_hold(machine: Machine, p: int, ended: Node, v: float) -> bool:
+    """Whether phase p of a machine may hold the velocity v behind the event that ended one."""
+    node, wall = machine.nodes[p], machine.rules.kinds[p, WALL]
+    speed = node.phase.speed
+    if not node.phase.held or abs(v - speed) > ALIKE * max(1.0, abs(speed)):
+        return False
+    if ended.event in node.demands:  # it has just ended so
+        return False
+    return bool(wall == NONE or machine.nodes[wall].event == ended.event)
 
 
 def _falls_on(machine: Machine, one: Step, other: Step) -> bool:

@@ -8,7 +8,7 @@ from ...scenes.cell import Cell
 from ...scenes.dimensionless import Units
 from ...scenes.loaded import LoadedScene
 from ...scenes.ordered import ONLY, OrderedScene, declared_as, in_order
-from ...scenes.orders import Order, image, in_cell, is_odd
+from ...scenes.orders import Columns, Order, image, in_cell, is_odd, memory_columns
 from ...simulation.machine import Machine
 from ...simulation.machines import machine_of
 
@@ -97,6 +97,11 @@ class Itinerary:
     def _numbers(self) -> tuple[float, ...]:
         """Parameters of which none is special."""
         return tuple(0.4 + 0.3 * j / 7 for j in range(len(self.base.parameters)))
+
+    def columns(self, p: int) -> Columns:
+        """Return where its cell has the memories that the scene declares, on phase p."""
+        setters = tuple(memory.setter for memory in self.base.cell(self._numbers).memory)
+        return memory_columns(setters, self.order)[p]
 
     @property
     def can_rest(self) -> bool:
