@@ -92,6 +92,7 @@ def test_orbits_last_until_friction_holds_the_force(values) -> None:
     """A contact ends where the branch is steep; no step along it changes the force."""
     found = ns.branch(before_a_spring(force=1.0, **values)(), "force", 0.02, 1.2)
     assert found.rows[0].value == pytest.approx(values["friction"], rel=1e-4)
+    assert found.why_it_ended[0].startswith("sticking, beyond which the motion stays in stick")
     assert found.rows[-1].value == 1.2
 
 

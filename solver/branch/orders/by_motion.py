@@ -10,6 +10,7 @@ import numpy as np
 
 from ...arrays import Vector
 from ...scenes.orders import image
+from ...simulation.segment import Segment
 from ...simulation.steps.clock import at_start
 from ...simulation.walk import Place, walk
 from ..events.locate import Found
@@ -27,23 +28,26 @@ def places_beside(event: Found, distance: float) -> list[Vector]:
     places = [y + side, y - side]
     if abs(tangent[-1]) > STEEP:
         places.insert(0, y + distance * tangent / event.piece.along.weights)
-    return [place for place in places if abs(place[-1]) <= 1]
+    low, high = event.piece.bounds
+    return [place for place in places if low <= event.piece.value(place) <= high]
 
 
-def by_motion(event: Found, y: Vector) -> Candidate:
-    """Return the phases of a cell of the motion that begins on an orbit.
+def motion_from(event: Found, y: Vector, cells: int = 1) -> list[Segment]:
+    """Return the phases of the motion that begins within the longest phase of an orbit.
 
     Parameters
     ----------
     event : Found
         Before it the orbit has other phases.
     y : ndarray
-        Its unknowns: see `places_beside`.  The motion begins within the longest phase.
+        Its unknowns: see `places_beside`.
+    cells : int
+        For how many cells the motion is followed.
 
     Raises
     ------
     NoStepError
-        If the motion does not come back to that phase.
+        If it ends, or the orbit has no phases.
     """
     piece, course = event.piece, event.piece.course
     if course.endless:
@@ -55,15 +59,40 @@ def by_motion(event: Found, y: Vector) -> Candidate:
     angle = float(y[-2] + cell.omega * (durations[:p].sum() + t)) if cell.forced else 0.0
     state = course.whole_state(piece.equations(y), y[:-1], p, t, angle)
     begin = Place(machine.number(course.order.steps[p]), state, at_start(angle, cell.omega))
-    until = cell.duration if cell.forced else float(durations.sum())
-    segments, _, ended, _ = walk(piece.case, machine, begin, until)
-    if ended or len(segments) == 1 or not all(q.step for q in segments[:-1]):
+    lasting = cell.duration if cell.forced else float(durations.sum())
+    segments, _, ended, _ = walk(piece.case, machine, begin, cells * lasting)
+    if ended:
+        raise NoStepError
+    return segments
+
+
+def by_motion(event: Found, y: Vector) -> Candidate:
+    """Return the phases of a cell of the motion that begins on an orbit; see `motion_from`.
+
+    Raises
+    ------
+    NoStepError
+        If the motion does not come back to the phase in which it begins.
+    """
+    segments = motion_from(event, y)
+    if len(segments) == 1 or not all(q.step for q in segments[:-1]):
         raise NoStepError
     first, *between, last = segments
-    half = course.order.half_period
+    course, half = event.piece.course, event.piece.course.order.half_period
+    machine = course.machine(event.piece.numbers(y))
     named = image(machine.cell, first.named) if half else first.named
     if named is None or machine.node(named).law != machine.node(last.began).law:
         raise NoStepError
     slots = [Slot(q.named, q.state, q.s) for q in (*between, last)]
     slots[-1] = replace(slots[-1], step=named, s=first.s + last.s)
     return Candidate(tuple(slots), half, segments[1].angle)
+
+
+def rests_in(event: Found, y: Vector) -> str:
+    """Return the name of the phase that holds the motion for ever; empty if none does.
+
+    Under a forcing, if it lasts for a whole period.
+    """
+    last, cell = motion_from(event, y, 4)[-1], event.piece.cell
+    lasts = cell.forced and last.s >= 2 * cell.duration
+    return last.phase.name if lasts and last.phase.rests else ""

@@ -22,7 +22,7 @@ from ..meeting import halves_apart
 from ..piece import Piece, unit_of
 from ..place import NoStepError, Place
 from ..walk import MEETS, OWN
-from .by_motion import by_motion, places_beside
+from .by_motion import by_motion, places_beside, rests_in
 from .candidate import Candidate
 from .candidates import AtEvent
 from .reading import BESIDE
@@ -105,6 +105,11 @@ def why_none(event: Found) -> str:
         memory = next(iter(cell.memory), None) if lasts else unset(cell, left)
         if memory is not None:
             return f"nothing sets {memory.name}, which may have any of many values"
+    for y in places_beside(event, BY_MOTION[0]):
+        with suppress(ArithmeticError, ParameterError, UnknownScene):
+            name = rests_in(event, y)
+            if name:
+                return f"the motion stays in {name}"
     return "no order of phases is found"
 
 
