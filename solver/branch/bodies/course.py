@@ -61,6 +61,10 @@ class BodyCourse(Course):
         """Return its cell for parameters without units, its shapes on the sides chosen."""
         return self._faced(super().cell(numbers))
 
+    def declares(self, numbers: tuple[float, ...]) -> Cell:
+        """Return the cell of the phases that there are, its shapes on the sides chosen."""
+        return self._faced(super().declares(numbers))
+
     def about(self, numbers: tuple[float, ...]) -> Self:
         """Return it with the shapes that it has for some parameters as reference."""
         return replace(self, reference=self.cell(numbers).body)
