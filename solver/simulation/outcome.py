@@ -115,7 +115,7 @@ def as_copies(cell: Cell, motion: Simulation) -> tuple[Settled, ...]:
 def nearly(cell: Cell, motion: Simulation, cycles: int) -> Iterator[Settled]:
     """Yield times near to which a motion may have orbits, of `cycles` periods of the forcing.
 
-    They are those of its closest `returns`: for a motion that has not settled.
+    They are those of its closest `returns`: for a motion that has not settled on such a period.
     """
     where = "a simulation that almost returns"
     for again in islice(returns(cell, motion.segments, cycles), RETURNS):

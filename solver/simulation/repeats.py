@@ -101,7 +101,7 @@ def repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] |
 
 
 def shortest(cell: Cell, again: tuple[Segment, ...]) -> tuple[Segment, ...]:
-    """Return the first of several copies, as far as one can tell, that repeated phases are.
+    """Return the first of the copies of fewer phases that repeated ones are; else all of them.
 
     A motion that winds about its orbit as it comes near is back sooner after several periods
     than after one: all copies are within `NEAR` of the orbit.

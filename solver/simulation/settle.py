@@ -92,7 +92,7 @@ def _followed_from(
 ) -> Iterator[Settled]:
     """Yield the outcome of a simulation from each admissible state among some.
 
-    Then, of those that do not settle, where they almost return.
+    Then, of those that do not settle on what is asked for, where they almost return.
     """
     possible = [q for q in dict.fromkeys(starts) if q is not None and machine.begin(q)]
     most = phases // max(len(possible), 1)
@@ -104,9 +104,10 @@ def _followed_from(
 
 @lru_cache(maxsize=16)
 def _followed(case: Case, start: AnyState, most: int) -> tuple[Settled, ...]:
-    """Return the outcome of a simulation, and where it almost returns if it does not settle.
+    """Return the outcome of a simulation, then what else it may show.
 
-    Cached, as all methods ask for the same.
+    That is all copies of what it repeats, or where it almost returns, if it does not settle or
+    does so on another period.  Cached, as all methods ask for the same.
     """
     machine, cell = machine_of(case.cell), case.cell
     place, cycles, left = Place.first(machine, start), float(CYCLES), float(most)

@@ -17,8 +17,11 @@ from scipy.optimize import brentq
 from shown import ROOT
 
 import nonsmooth as ns
+from nonsmooth.solver.branch import walk
 from nonsmooth.solver.branch.course import Course
+from nonsmooth.solver.branch.events import in_step
 from nonsmooth.solver.branch.events.in_step import in_turn
+from nonsmooth.solver.branch.events.locate import Found
 from nonsmooth.solver.branch.piece import Piece
 from nonsmooth.solver.branch.place import NoStepError
 from nonsmooth.solver.exact import exact_orbit
@@ -501,3 +504,40 @@ def test_a_branch_begins_at_a_touch_on_the_side_where_there_are_orbits(ulps: int
         why.startswith("grazing,") for why in branch.why_it_ended
     )
     assert at_touch or (ulps > 0 and not kinds and branch.why_it_ended == (edge, edge))
+
+
+@pytest.mark.parametrize(("apart", "kind"), [(1e-8, "vanishing"), (1e-6, "grazing")])
+def test_beside_a_phase_that_vanishes_the_next_one_is_known_less_well(apart, kind) -> None:
+    piece = SimpleNamespace(along=SimpleNamespace(kinds=range(4)), value=lambda y: y[-1])
+
+    def found(word: str, phase: int, column: int | None, value: float) -> Found:
+        return Found(word, phase, column, piece, SimpleNamespace(y=[value]))
+
+    grazing, vanishing = found("grazing", 2, 2, 1.0 + apart), found("vanishing", 1, None, 1.0)
+    (event,) = in_turn([(0.5, grazing), (0.5 + apart, vanishing)])
+    assert event.kind == kind
+
+
+@pytest.mark.parametrize("meets", [True, False])
+def test_a_fold_is_not_needed_where_branches_meet(monkeypatch, meets: bool) -> None:
+    """No step succeeds beside that place, so that it is not located."""
+    place = SimpleNamespace(y=np.zeros(2))
+
+    def located(piece, before, after, length, i):
+        if i == walk.FOLD:
+            raise NoStepError
+        yield 0.5, Found("branch-point", None, None, piece, place, i)
+
+    monkeypatch.setattr(in_step, "located", located)
+    monkeypatch.setattr(in_step, "torus_crossings", lambda *_: [])
+    monitors = np.ones((2, walk.OWN))
+    monitors[1, walk.FOLD] = -1.0
+    monitors[1, walk.MEETS] = -1.0 if meets else 1.0
+    before, after = (SimpleNamespace(y=np.zeros(2), monitors=q) for q in monitors)
+    piece = SimpleNamespace(table=[])
+    if meets:
+        ((_, event),) = in_step.events_in(piece, before, after, 1.0)
+        assert event.kind == "branch-point"
+    else:
+        with pytest.raises(NoStepError):
+            in_step.events_in(piece, before, after, 1.0)
