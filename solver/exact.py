@@ -14,7 +14,7 @@ from .orbit.exact_orbit import ExactOrbit, from_times
 from .scenes.case import Case, check_case
 from .scenes.ordered import OrderedScene, declared_as, in_order
 from .scenes.orders import half_if_mirrored
-from .simulation.settle import FEW, PHASES, rough_times_by_simulation
+from .simulation.settle import PHASES, rough_times_by_simulation
 from .stability.stability import is_stable
 
 __all__ = ["ExactOrbit", "exact_orbit"]
@@ -88,19 +88,21 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
         return None
     of_declared = _admissible(_declared(case)) if beside else ()
     unstable = None
-    for orbit in chain(of_declared, settled_orbits(case)):
+    for orbit in chain(of_declared, settled_orbits(case, patiently=not beside)):
         if is_stable(orbit) is not False:
             return orbit
         unstable = unstable or orbit
     return None if beside else unstable
 
 
-def settled_orbits(case: Case) -> Iterator[ExactOrbit]:
+def settled_orbits(case: Case, *, patiently: bool = False) -> Iterator[ExactOrbit]:
     """Yield the exact orbits on which simulations settle; none if the case names a motion.
 
     After an unstable one, the others of the same order of phases follow, if they can be listed.
+    For `patiently` see `settled_cases`.
     """
-    for orbit in _admissible(settled_cases(case) if case.scene.motion is None else ()):
+    of_any = case.scene.motion is None
+    for orbit in _admissible(settled_cases(case, patiently=patiently) if of_any else ()):
         yield orbit
         if is_stable(orbit) is False:
             yield from (q for q in known(orbit.case).orbits if not are_one(q, orbit))
@@ -181,7 +183,7 @@ def starts(
     at_hand = ((times.words, times) for times in rough)
     if not (undeclared or knowledge.none or looked_at):
         yield from at_hand
-    for settled in rough_times_by_simulation(case, FEW if knowledge.listed else PHASES):
+    for settled in rough_times_by_simulation(case, PHASES):
         if settled.times is not None:
             yield settled.times.words, settled.times
         elif settled.words:

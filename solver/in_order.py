@@ -79,16 +79,17 @@ def _names(phases: Sequence[str]) -> list[str]:
     return [name.strip() for name in names]
 
 
-def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
+def settled_cases(case: Case, *, patiently: bool = False) -> Iterator[tuple[Case, RoughTimes]]:
     """Yield the orders on which simulations settle: cases, and times of their cells.
 
     They may be declared orders, too.  Their motions have the period of the case.  For the
-    starts see `from_several_states`.
+    starts see `from_several_states`.  Simulations are short where orbits can be listed, unless
+    they are to be followed `patiently`, as where no orbit is known.
     """
     base = of_all_phases(case)
-    listed = all(known(each).listed for each in case.each_motion)
+    few = not patiently and all(known(each).listed for each in case.each_motion)
     orders: set[Order] = set()
-    for settled in from_several_states(base, FEW if listed else PHASES):
+    for settled in from_several_states(base, FEW if few else PHASES):
         other = settled.other.within(case.cycles) if settled.other else None
         if other is None or other.order in orders:
             continue

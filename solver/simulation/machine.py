@@ -11,12 +11,13 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..arrays import Integers, Matrix
-from ..flow import divided, responses
+from ..flow import divided, flow, responses
 from ..kernels import linking
 from ..kernels.family import Family
 from ..scenes.cell import Cell
 from ..scenes.classes import generator
 from ..scenes.orders import Step
+from .lasting import lasts
 from .nodes import InState, Node, nodes
 from .segment import Segment
 from .steps import (
@@ -41,6 +42,9 @@ from .steps.step import Passed
 #: Velocities from which `settle` simulates, relative to one that reaches all surfaces, about.
 THROWN = 1.5, -1.5, 4.0, -4.0
 
+#: Most phases that compiled functions follow at once.
+AT_ONCE = 64
+
 #: Distance from a limit, in units of length, at which rest is tried beside it.
 ASIDE = 0.1
 
@@ -50,8 +54,8 @@ PARTS = zeros, bounds, locate, chatter, clock, state, switches, step
 
 def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     """Return the functions of `step` and `run`, plain or compiled."""
-    flow = linking.made((divided, responses), {}, make)
-    return linking.made((*PARTS, motion), {"state_at": flow["state_at"]}, make)
+    by_flow = linking.made((divided, responses), {}, make)
+    return linking.made((*PARTS, motion), {"state_at": by_flow["state_at"]}, make)
 
 
 #: The functions, linked as plain Python or compiled once plain ones have cost enough.
@@ -119,12 +123,22 @@ class Machine:
     def several(
         self, p: int, state: AnyState, clock: Clock, until: Fraction, most: float
     ) -> list[Passed]:
-        """Follow a motion from the start of a phase through some phases: see `run.several`."""
+        """Follow a motion from the start of a phase through some phases: see `run.several`.
+
+        In plain Python one at a time, as for a body each may cost seconds.
+        """
         high = float(until)
         time = high, float(until - Fraction(high))
-        arguments = self.rules, p, with_arrays(state), clock, time, most
+        count = AT_ONCE if self.family.account_of(run.__name__, "several").is_compiled else 1
+        arguments = self.rules, p, with_arrays(state), clock, time, most, count
         passed: list[Passed] = self.family.call(run.__name__, "several", *arguments)
         return passed
+
+    def lasts(self, segment: Segment) -> bool:
+        """Return whether a phase of a motion is proven to last for ever; see `lasting`."""
+        omega, s = self.cell.omega, segment.s
+        x, v = flow.state_at(segment.phase, segment.x, segment.v, segment.angle, omega, s)
+        return lasts(segment.phase, x, v, omega, segment.angle + omega * s)
 
     def strobed(self, start: AnyState, cycles: int) -> tuple[Matrix, Integers, int]:
         """Return a motion from a state at each whole turn of the forcing: see `run`."""

@@ -93,7 +93,7 @@ def outcome_of(cell: Cell, motion: Simulation) -> Settled:
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}", conclusive=False)
     last = motion.segments[-1]
-    if last.lasts(cell.omega):
+    if machine_of(cell).lasts(last):
         return Settled(None, WITHOUT_SWITCHES)
     again = repeated(cell, motion.segments)
     if again is not None:

@@ -10,7 +10,6 @@ from ..arrays import Vector
 from ..flow import flow
 from ..scenes.cell import Phase
 from ..scenes.orders import Step
-from .lasting import lasts
 from .steps.bounds import window
 
 
@@ -71,8 +70,3 @@ class Segment:
     def wave(self, omega: float) -> float:
         """Return the shortest period in the motion; it may be infinite."""
         return math.pi * window(self.phase, omega)
-
-    def lasts(self, omega: float) -> bool:
-        """Return whether the phase is proven to last for ever; see `lasting`."""
-        x, v = flow.state_at(self.phase, self.x, self.v, self.angle, omega, self.s)
-        return lasts(self.phase, x, v, omega, self.angle + omega * self.s)

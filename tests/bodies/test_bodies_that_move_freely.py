@@ -235,7 +235,7 @@ def test_that_nothing_holds_a_body_at_one_place_is_said() -> None:
 def test_a_map_has_the_fold_of_its_closed_form(monkeypatch) -> None:
     for module in (solver_exact, in_order):  # where there is no orbit it is soon said
         monkeypatch.setattr(module, "PHASES", 20)
-        monkeypatch.setattr(module, "FEW", 20)
+    monkeypatch.setattr(in_order, "FEW", 20)
     monkeypatch.setattr(settle, "FEW", 5)
     monkeypatch.setattr(chart, "LINES", 2)
     monkeypatch.setattr(lines, "VALUES", 2)

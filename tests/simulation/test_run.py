@@ -12,7 +12,7 @@ from test_chatter import resting
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scenes.ordered import of_all_phases
-from nonsmooth.solver.simulation.machine import with_arrays
+from nonsmooth.solver.simulation.machine import AT_ONCE, with_arrays
 from nonsmooth.solver.simulation.machines import machine_of
 from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps import run
@@ -58,7 +58,8 @@ def test_plain_and_compiled_motions_have_the_same_bits(name) -> None:
     for start in states:
         place = Place.first(machine, start)
         begin = place.phase, with_arrays(place.state), place.clock
-        one, other = (of["several"](machine.rules, *begin, (60.0, 0.0), 50.0) for of in forms)
+        arguments = *begin, (60.0, 0.0), 50.0, AT_ONCE
+        one, other = (of["several"](machine.rules, *arguments) for of in forms)
         assert bits(tuple(one)) == bits(tuple(other))
         one, other = (of["run"](machine.rules, with_arrays(start), 3) for of in forms)
         assert bits(one) == bits(other)
@@ -72,7 +73,8 @@ def test_phases_followed_together_are_those_followed_one_by_one(name, most) -> N
     for start in states:
         place, t, effort = Place.first(machine, start), Fraction(0), most
         p, state, clock = place.phase, with_arrays(place.state), place.clock
-        together = machine.several(p, state, clock, end, most)
+        time = float(end), float(end - Fraction(float(end)))
+        together = machine.by("several", p, state, clock, time, most, AT_ONCE)
         for passed in together:
             left = float(end - t)
             window = machine.by("window_of", p, state)
@@ -83,7 +85,7 @@ def test_phases_followed_together_are_those_followed_one_by_one(name, most) -> N
         *others, last = together
         assert all(one.how == EVENT and one.away == NONE for one in others)
         goes_on = last.how == EVENT and last.away == NONE and effort >= 1
-        assert goes_on == (len(together) == run.AT_ONCE)
+        assert goes_on == (len(together) == AT_ONCE)
 
 
 @pytest.mark.parametrize("name", SCENES)

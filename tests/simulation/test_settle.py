@@ -113,6 +113,12 @@ def test_solve_falls_back_on_it() -> None:
         assert caught.value.tried[-1] == WITHOUT
 
 
+def test_where_no_orbit_is_known_a_slow_transient_is_followed_to_its_end() -> None:
+    case = ns.scene("clearance")(frequency=1.684, damping=0.00153, gap=0.958)
+    with pytest.raises(NoOrbit, match="separated, in every 5 periods of the forcing"):
+        ns.exact(case)
+
+
 def test_another_motion_of_the_scene_on_which_it_settles_is_that_motion() -> None:
     """Where its own phases do not admit the transient, nothing else leads to its orbit."""
     case = ns.scene("dry-friction")()

@@ -16,15 +16,17 @@ from ...kernels import linking
 from ...kernels.family import Family
 from ...scenes.bodies.cell import BodyCell
 from ...scenes.cell import Cell
-from ..machine import Machine
+from ..lasting import ROUNDING
+from ..machine import Machine, with_arrays
 from ..nodes import InState
-from ..steps import chatter, clock, column, rules, switches
+from ..steps import chatter, clock, column, rules, run, switches
 from ..steps import locate as common_locate
 from ..steps import state as common_state
 from ..steps import step as common_step
 from ..steps.rules import Rules
 from ..steps.state import AnyState
 from . import along, locate, modes, phases, state, step
+from .along import least
 from .phases import body_rules_of
 from .record import BodySegment
 from .regime import Regime, regimes
@@ -101,7 +103,10 @@ class BodyMachine(Machine):
             if place is not None:
                 rows = np.vstack([rows, regime.contacts[0, 0, : regime.states]])
                 right = np.append(right, -place if node.mirrored else place)
-            equilibrium, *_ = np.linalg.lstsq(rows, right)
+            try:
+                equilibrium = np.linalg.solve(rows, right)
+            except np.linalg.LinAlgError:  # a place is given, or nothing holds the body
+                equilibrium, *_ = np.linalg.lstsq(rows, right)
             yield self._at(np.asarray(equilibrium, dtype=float), angle)
 
     def _at(self, y: Vector, angle: float) -> AnyState:
@@ -121,6 +126,16 @@ class BodyMachine(Machine):
         regime = self.regimes[p]
         return InState(regime.part.lawful.rows, regime.generator, regime.states + 2)
 
+    def lasts(self, segment: Any) -> bool:
+        """Return whether a phase of a motion is proven to last for ever."""
+        p, Y = self.number(segment.began), segment.Y
+        rows, signs, _ = self.by("watched", p, with_arrays(segment.start))
+        arguments = self.rules.phases, self.rules.omega, p, Y, rows, signs
+        unmarked = np.zeros(len(rows), dtype=bool)
+        along = self.family.call(run.__name__, "along_of", *arguments, unmarked)
+        low = least(along, segment.s, float(np.abs(Y).max()))
+        return bool((low >= -ROUNDING * along.sizes).all())
+
     def recorded(
         self, p: int, state: BodyState, t: Fraction, s: float, surface: int
     ) -> BodySegment:
@@ -129,5 +144,5 @@ class BodyMachine(Machine):
         x, v = (regime.contacts[:2, 0] @ state.full).tolist()
         return BodySegment(
             node.phase, node.index, node.mirrored, t, state.angle, x, v, s,
-            self.ending(p, surface), start=state, regime=regime, rules=self.rules, number=p,
+            self.ending(p, surface), start=state, regime=regime,
         )  # fmt: skip

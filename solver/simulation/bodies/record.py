@@ -5,15 +5,12 @@ from functools import cached_property
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
-from ..lasting import ROUNDING
+from ...arrays import Vector
 from ..segment import Segment
-from ..steps.rules import Rules
-from .along import Along, along_of, fastest, least
+from .along import along_of, fastest
 from .phases import Phases, forms_of, laws_of, poles_of
 from .regime import Regime
 from .state import BodyState
-from .step import watched
 
 #: Relative amplitude of waves that a drawing need not resolve.
 UNSEEN = 1e-3
@@ -21,15 +18,10 @@ UNSEEN = 1e-3
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class BodySegment(Segment):
-    """One phase of a simulated motion of a body; see `Segment`.
-
-    It starts in the state `start`, and has a `number` in the `rules` of its machine.
-    """
+    """One phase of a simulated motion of a body, from the state `start`; see `Segment`."""
 
     start: BodyState
     regime: Regime
-    rules: Rules
-    number: int
 
     @cached_property
     def Y(self) -> Vector:
@@ -62,19 +54,8 @@ class BodySegment(Segment):
 
     def wave(self, omega: float) -> float:
         """Return the shortest period in the displacement that a drawing resolves."""
-        along = self._along(self.regime.contacts[0, :1])
+        regimes, row = [self.regime], self.regime.contacts[0, :1]
+        phases = Phases(poles_of(regimes), laws_of(regimes), forms_of(regimes, [row]))
+        forms = np.zeros(1, dtype=int), np.ones(1), np.zeros(1, dtype=bool)
+        along = along_of(phases, self.regime.part.flow.omega, 0, self.Y, *forms)
         return 2 * np.pi / max(omega, 2.0 / self.regime.window, fastest(along, UNSEEN))
-
-    def lasts(self, omega: float) -> bool:
-        """Return whether the phase is proven to last for ever."""
-        rows, signs, _ = watched(self.rules, self.number, self.start)
-        along = self._along(signs[:, None] * self.rules.forms[rows])
-        low = least(along, self.s, float(np.abs(self.Y).max()))
-        return bool((low >= -ROUNDING * along.sizes).all())
-
-    def _along(self, rows: Matrix) -> Along:
-        regimes, count = [self.regime], len(rows)
-        phases = Phases(poles_of(regimes), laws_of(regimes), forms_of(regimes, [rows]))
-        numbers, zeros = np.arange(count), np.zeros(count, dtype=bool)
-        omega = self.regime.part.flow.omega
-        return along_of(phases, omega, 0, self.Y, numbers, np.ones(count), zeros)

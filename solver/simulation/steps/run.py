@@ -18,17 +18,18 @@ from .state import AnyState, State, begun, equation_of, window_of
 from .step import CHATTERS, MANY, REFUSED, Passed, step
 from .switches import first_phase, has_rest
 
-#: Most phases of one motion, and of one call of `several`.
-MOST_PHASES, AT_ONCE = 100_000, 64
+#: Most phases of one motion.
+MOST_PHASES = 100_000
 
 #: Number of windows whose search for events costs about as much as the rest of a phase.
 STRETCH = 10
 
 
 def several(
-    rules: Rules, p: int, state: AnyState, clock: Clock, until: tuple[float, float], most: float
-) -> list[Passed]:
-    """Follow a motion from the start of a phase through `AT_ONCE` phases at most.
+    rules: Rules, p: int, state: AnyState, clock: Clock, until: tuple[float, float],
+    most: float, count: int,
+) -> list[Passed]:  # fmt: skip
+    """Follow a motion from the start of a phase through `count` phases at most.
 
     It ends earlier behind a phase that no event ends, or that a rest replaces.
 
@@ -40,7 +41,7 @@ def several(
         The `effort` after which it is.
     """
     passed, (high, low) = [], until
-    for _ in range(AT_ONCE):
+    for _ in range(count):
         window = window_of(rules, p, state)
         one = step(rules, p, state, clock, min(max(high + low, 0.0), reach(window, most)))
         passed.append(one)
