@@ -44,7 +44,8 @@ def check_name(field: str, name: str) -> None:
     if keyword.iskeyword(name):
         raise SceneError(f"{field}: got {name!r}, a word of Python")
     if not name.isidentifier():
-        raise SceneError(f"{field}: got {name!r}, expected letters, digits and underscores")
+        expected = "letters, digits and underscores, beginning with a letter"
+        raise SceneError(f"{field}: got {name!r}, expected {expected}")
 
 
 def check_called(field: str, name: str) -> None:
