@@ -14,7 +14,7 @@ from .orbit.exact_orbit import ExactOrbit, from_times
 from .scenes.case import Case, check_case
 from .scenes.ordered import OrderedScene, declared_as, in_order
 from .scenes.orders import half_if_mirrored
-from .simulation.settle import PHASES, rough_times_by_simulation
+from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 from .stability.stability import is_stable
 
 __all__ = ["ExactOrbit", "exact_orbit"]
@@ -183,7 +183,8 @@ def starts(
     at_hand = ((times.words, times) for times in rough)
     if not (undeclared or knowledge.none or looked_at):
         yield from at_hand
-    for settled in rough_times_by_simulation(case, PHASES):
+    phases = (FEW, PHASES) if knowledge.listed else (PHASES,)
+    for settled in rough_times_by_simulation(case, *phases):
         if settled.times is not None:
             yield settled.times.words, settled.times
         elif settled.words:

@@ -83,13 +83,16 @@ def settled_cases(case: Case, *, patiently: bool = False) -> Iterator[tuple[Case
     """Yield the orders on which simulations settle: cases, and times of their cells.
 
     They may be declared orders, too.  Their motions have the period of the case.  For the
-    starts see `from_several_states`.  Simulations are short where orbits can be listed, unless
-    they are to be followed `patiently`, as where no orbit is known.
+    starts see `from_several_states`.  Simulations are short where orbits can be listed; where
+    they are to be followed `patiently`, as no orbit is known, longer ones come after these.
     """
     base = of_all_phases(case)
-    few = not patiently and all(known(each).listed for each in case.each_motion)
+    listed = all(known(each).listed for each in case.each_motion)
+    phases = [FEW] if listed else []
+    if patiently or not listed:
+        phases.append(PHASES)
     orders: set[Order] = set()
-    for settled in from_several_states(base, FEW if few else PHASES):
+    for settled in from_several_states(base, *phases):
         other = settled.other.within(case.cycles) if settled.other else None
         if other is None or other.order in orders:
             continue

@@ -6,7 +6,7 @@ long as transients last by the damping, up to a number of phases.
 """
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
@@ -41,10 +41,15 @@ FEW = 500
 ANGLES = tuple(2.4 * j % (2 * math.pi) for j in range(1, 6))
 
 
-def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Settled]:
+def rough_times_by_simulation(case: Case, *phases: int) -> Iterator[Settled]:
     """Yield the outcomes of simulations of a case, from rest and from each constraint.
 
-    `phases` bounds the phases that are simulated; see `PHASES`.
+    Parameters
+    ----------
+    case : Case
+    *phases : int
+        Bounds of the phases that are simulated; default `PHASES`.  Of several, the later ones
+        are for motions that do not settle within those before.
 
     Examples
     --------
@@ -55,7 +60,7 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
     """
     base = of_all_phases(case)
     machine = machine_of(base.cell)
-    for settled in _followed_from(base, machine, machine.starts(0.0), phases):
+    for settled in _followed_from(base, machine, machine.starts(0.0), phases or (PHASES,)):
         yield settled if base is case else _in_that(case, base.cell, settled)
 
 
@@ -69,14 +74,14 @@ def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
     return replace(settled, times=times, other=None)
 
 
-def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
+def from_several_states(case: Case, *phases: int) -> Iterator[Settled]:
     """Yield the outcomes of simulations of a case: see `rough_times_by_simulation`.
 
     If none is conclusive, simulations from rest at other phases of the forcing follow; if none
     settles on an orbit with switches, simulations of a mass that is thrown.
     """
     outcomes = []
-    for settled in rough_times_by_simulation(case, phases):
+    for settled in rough_times_by_simulation(case, *phases):
         outcomes.append(settled)
         yield settled
     if not case.cell.forced or any(q.conclusive and (q.times or q.other) for q in outcomes):
@@ -84,22 +89,28 @@ def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
     machine, starts = machine_of(case.cell), machine_of(case.cell).thrown()
     if not any(q.conclusive for q in outcomes):
         starts = [*(machine.at_rest(angle) for angle in ANGLES), *starts]
-    yield from _followed_from(case, machine, starts, FEW * len(starts))
+    yield from _followed_from(case, machine, starts, (FEW * len(starts),))
 
 
 def _followed_from(
-    case: Case, machine: Machine, starts: Iterable[AnyState | None], phases: int
+    case: Case, machine: Machine, starts: Iterable[AnyState | None], phases: Sequence[int]
 ) -> Iterator[Settled]:
     """Yield the outcome of a simulation from each admissible state among some.
 
-    Then, of those that do not settle on what is asked for, where they almost return.
+    Then, of those that do not settle on what is asked for, where they almost return.  That a
+    motion does not settle is said with the last bound of `phases`.
     """
     possible = [q for q in dict.fromkeys(starts) if q is not None and machine.begin(q)]
-    most = phases // max(len(possible), 1)
-    for start in possible:
-        yield _followed(case, start, most)[0]
-    for start in possible:
-        yield from _followed(case, start, most)[1:]
+    for bound in phases:
+        most = bound // max(len(possible), 1)
+        followed = {}
+        for start in possible:
+            outcome, *followed[start] = _followed(case, start, most)
+            last = outcome.conclusive or bound == phases[-1]
+            yield outcome if last else replace(outcome, words="")
+        for others in followed.values():
+            yield from others
+        possible = [q for q in possible if not _followed(case, q, most)[0].conclusive]
 
 
 @lru_cache(maxsize=16)

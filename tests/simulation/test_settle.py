@@ -193,7 +193,7 @@ def test_a_transient_of_eight_hundred_cycles_is_followed() -> None:
 def test_the_work_is_bounded_and_what_was_done_is_said() -> None:
     slow = registry.load("clearance")(frequency=0.003, damping=1e-4)
     for case in (resonant(1e-5, 9e4), slow):
-        (found,) = rough_times_by_simulation(case, phases=60)
+        (found,) = rough_times_by_simulation(case, 60)
         head, _, tail = found.words.partition(" cycles ")
         assert tail.startswith("does not settle")
         assert 0 <= int(head.removeprefix("a simulation of ")) < 500
