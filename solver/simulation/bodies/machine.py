@@ -103,10 +103,10 @@ class BodyMachine(Machine):
             if place is not None:
                 rows = np.vstack([rows, regime.contacts[0, 0, : regime.states]])
                 right = np.append(right, -place if node.mirrored else place)
-            try:
-                equilibrium = np.linalg.solve(rows, right)
-            except np.linalg.LinAlgError:  # a place is given, or nothing holds the body
+            if node.phase.held or lawful.still.size:  # it may stay at many places
                 equilibrium, *_ = np.linalg.lstsq(rows, right)
+            else:
+                equilibrium = np.linalg.solve(rows, right)
             yield self._at(np.asarray(equilibrium, dtype=float), angle)
 
     def _at(self, y: Vector, angle: float) -> AnyState:
