@@ -14,21 +14,12 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Complex, Indices, Matrix, Vector
-from .modes import DENSE, marks, natural_modes, signs
-from .systems import BodyError, Solve, exact_product, factored, solver
+from .left_out import LeftOut, beyond_shapes, left_out_of, static_answers, static_shapes
+from .modes import DENSE, marks, natural_modes
+from .systems import BodyError, exact_product, factored, solver
 
 #: What a contact, or a damper, may see of a mode that it does not see, as a part.
 UNSEEN = 1e-11
-
-#: Steps in which the static answer of the modes left out is found.
-STEPS = 200
-
-#: What of that answer rounding may go on changing, as a part.
-BY_ROUNDING = 1e-9
-
-#: What of the compliance at a contact is rounding, as a part; and what of a static answer is
-#: new beside the others.
-STIFF, NEW = 1e-12, 1e-10
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +47,8 @@ class Modal:
         What that adds to the response of the contacts to the forcing.
     marks : ndarray, shape (m, l), optional
         What tells a shape from its opposite: see `facing`.
+    left_out : LeftOut, optional
+        What `at_frequency` needs, in the units of the matrices.
     """
 
     squares: Vector
@@ -66,6 +59,7 @@ class Modal:
     residual: Matrix
     beyond: Complex
     marks: Matrix = field(default_factory=lambda: np.empty((0, 0)))
+    left_out: LeftOut | None = None
 
     @cached_property
     def is_proportional(self) -> bool:
@@ -134,55 +128,27 @@ def modal(
     left_out = np.zeros((n, at.shape[1] + 1))
     if not whole:
         stiff = solver(K + shift * M, factors)
-        left_out = _left_out(M, shapes, np.hstack([at, force]), shift, stiff)
+        left_out = static_answers(M, shapes, np.hstack([at, force]), shift, stiff)
     if not whole and jumps:
         at_contacts = (basis.T @ at) ** 2 / np.where(squares == 0, np.inf, squares)[:, None]
-        added, answers = _static_shapes(left_out[:, :-1], M, K, at_contacts.sum(axis=0))
+        added, answers = static_shapes(left_out[:, :-1], M, K, at_contacts.sum(axis=0))
         left_out -= answers @ ((answers.T @ np.hstack([at, force])) / added[:, None])
         squares, basis = np.append(squares, added), np.hstack([basis, answers])
     at_contacts, driven = basis.T @ at, basis.T @ force
     damping = np.zeros((len(squares), len(squares)))
     if "C" in matrices:
         damping = basis.T @ exact_product(matrices["C"], basis)[0]
+    responds = not whole and {"C", "forcing"} <= matrices.keys()
+    coupled = left_out_of(matrices, basis, count) if responds else None
     mobility = at_contacts.T @ at_contacts if whole else at.T @ solver(M)(at)
     compliance = at.T @ left_out
     residual = np.zeros_like(mobility) if jumps else compliance[:, :-1]
     return _without_unseen(
         Modal(
             squares, damping, at_contacts, driven[:, 0], mobility, (residual + residual.T) / 2,
-            compliance[:, -1].astype(complex), marks(M, basis),
+            compliance[:, -1].astype(complex), marks(M, basis), coupled,
         )
     )  # fmt: skip
-
-
-def _static_shapes(
-    left_out: Matrix, M: Any, K: Any, compliances: Vector
-) -> tuple[Vector, Matrix]:
-    """Return static answers as shapes with unit mass, and the squares of their frequencies.
-
-    Parameters
-    ----------
-    left_out : ndarray, shape (n, c)
-        What the modes that are left out answer to a unit force at each contact.
-    M, K : sparse array, shape (n, n)
-    compliances : ndarray, shape (c,)
-        By how much each contact gives way without them.
-
-    Returns
-    -------
-    squares : ndarray, shape (a,)
-        Fewer than contacts where answers are rounding, or combinations of others.
-    shapes : ndarray, shape (n, a)
-    """
-    stiff, mass = left_out.T @ (K @ left_out), left_out.T @ (M @ left_out)
-    strong = np.diag(stiff) > STIFF * compliances
-    sizes = np.sqrt(np.diag(stiff)[strong])
-    values, vectors = np.linalg.eigh(stiff[np.ix_(strong, strong)] / np.outer(sizes, sizes))
-    new = values > NEW
-    basis = vectors[:, new] / sizes[:, None] / np.sqrt(values[new])  # of unit stiffness
-    values, vectors = np.linalg.eigh(basis.T @ mass[np.ix_(strong, strong)] @ basis)
-    shapes = left_out[:, strong] @ basis @ vectors / np.sqrt(values)
-    return 1 / values, shapes * signs(shapes)
 
 
 @lru_cache(maxsize=64)
@@ -222,21 +188,14 @@ def at_frequency(
     BodyError
         If the forcing is faster than all modes kept: a truncated one may be in resonance.
     """
-    from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
-
-    n = matrices["M"].shape[0]
-    few, squares = len(body.squares) < n, np.sort(body.squares)[:modes]  # shapes come last
+    n, squares = matrices["M"].shape[0], np.sort(body.squares)[:modes]  # shapes come last
     if modes is not None and modes < n and omega**2 > squares.max():
         raise BodyError("the forcing is faster than all modes that are kept: keep more of them")
-    if not (few and omega and "C" in matrices and "forcing" in matrices):
+    if body.left_out is None or not omega:
         return body
     rows = np.diag(body.squares - omega**2) + 1j * omega * body.damping
-    retained = body.at.T @ np.linalg.solve(rows, body.forcing.astype(complex))
-    at, force = matrices["at"].toarray(), matrices["forcing"].toarray()
-    stiff, damping = (matrices["K"] - omega**2 * matrices["M"], -omega * matrices["C"])
-    full = sparse.block_array([[stiff, damping], [damping, -stiff]], format="csr")  # Re, Im
-    real, imag = np.split(solver(full)(np.vstack([force, 0 * force]))[:, 0], 2)
-    return replace(body, beyond=at.T @ real + 1j * (at.T @ imag) - retained)
+    direct, inside = beyond_shapes(body.left_out, matrices, omega, rows, body.forcing)
+    return replace(body, beyond=matrices["at"].T @ direct + body.at.T @ inside)
 
 
 def _seen_first(at: Matrix, free: Indices) -> Matrix:
@@ -259,24 +218,5 @@ def _without_unseen(body: Modal) -> Modal:
     return replace(
         body, squares=body.squares[seen], damping=body.damping[np.ix_(seen, seen)],
         at=body.at[seen], forcing=body.forcing[seen], marks=body.marks[seen],
+        left_out=body.left_out and LeftOut(*(q[:, seen] for q in body.left_out)),
     )  # fmt: skip
-
-
-def _left_out(M: Any, shapes: Matrix, right: Matrix, shift: float, stiff: Solve) -> Matrix:
-    """Return the static response of the truncated modes.
-
-    By ``1/w^2 = 1/(w^2 + shift) (1 + shift/w^2)``, repeated, since K may be singular.
-    """
-
-    def without(q: Matrix) -> Matrix:
-        return np.asarray(q - shapes @ (shapes.T @ (M @ q)))
-
-    first = without(stiff(right - M @ (shapes @ (shapes.T @ right))))
-    response, last = first, np.inf
-    for _ in range(STEPS):
-        before, response = response, first + shift * without(stiff(M @ response))
-        change, size = np.abs(response - before).max(), np.abs(response).max()
-        if change <= 4 * np.finfo(float).eps * size or last <= change <= BY_ROUNDING * size:
-            return response
-        last = change
-    raise BodyError("the modes left out are too slow for the forcing: keep more of them")

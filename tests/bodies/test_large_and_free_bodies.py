@@ -114,6 +114,29 @@ def test_few_modes_are_those_of_full_matrices(damping: str, monkeypatch) -> None
     assert few.beyond == pytest.approx(full.beyond, rel=1e-8)
 
 
+@pytest.mark.parametrize("jumps", [False, True])
+def test_what_is_left_out_keeps_its_digits_at_the_resonance_of_a_mode(jumps: bool) -> None:
+    """There the answers of the body and of its modes are large, and their difference small."""
+    n = 30
+    M, K = chain(n)
+    at, force = np.eye(n, 1, -15), np.eye(n, 1, -4)
+    given = {"M": M, "K": K, "at": sparse.csc_array(at), "forcing": sparse.csc_array(force)}
+    given["C"] = (1e-4 * M + 1e-5 * K).tocsc()
+    angles = (2 * np.arange(n) + 1) * np.pi / (2 * n + 1)
+    squares = 4 * np.sin(angles / 2) ** 2
+    shapes = np.sin(np.outer(np.arange(1, n + 1), angles)) / np.sqrt((2 * n + 1) / 4)
+    omega = np.sqrt(squares[0]) * (1 + 1e-6)
+    few = modal.at_frequency(modal.modal(given, 2, 0.01, jumps), given, omega)
+    answers = shapes[15] * shapes[4]
+    answers = answers / (squares - omega**2 + 1j * omega * (1e-4 + 1e-5 * squares))
+    retained = np.zeros(2, complex)
+    if jumps:
+        rows = np.diag(few.squares - omega**2) + 1j * omega * few.damping
+        retained = few.at[:, 0] * np.linalg.solve(rows, few.forcing.astype(complex))
+    expected = answers[2:].sum() - retained[2:].sum()
+    assert few.beyond[0] == pytest.approx(expected, rel=3e-14)
+
+
 def test_the_orbit_of_a_large_body_is_that_of_a_small_one() -> None:
     """A rod of one length, mass and stiffness as masses, whose end moves by half of one."""
     times = []
