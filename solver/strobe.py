@@ -187,26 +187,28 @@ def _classified(
     """
     rows, columns, _, _ = tails.shape
     attractors: list[Attractor] = []
+    every_size: list[Vector] = []
+    least = ROUNDING * np.nanmax(np.abs(tails), axis=(0, 1, 2), initial=0.0)
     index = np.full((rows, columns), -2, dtype=np.int64)
     for i in range(rows):
         for j in range(columns):
             if np.isnan(tails[i, j]).any():
                 continue
             period, sizes = _repeated(tails[i, j], decay, omega)
-            tail = tails[i, j] / sizes
             if period is None:
                 index[i, j] = -1
                 continue
             alike = (
                 k
-                for k, other in enumerate(attractors)
+                for k, (other, size) in enumerate(zip(attractors, every_size, strict=True))
                 if other.cycles == period
-                and np.abs(np.array(other.states) / sizes - tail[-1]).max(axis=1).min() <= ONE
+                and _apart(tails[i, j, -1], other.states, np.maximum(sizes, size)) <= ONE
             )
             index[i, j] = next(alike, len(attractors))
             if index[i, j] == len(attractors):
                 states = tails[i, j][-period:]
                 attractors.append(Attractor(period, tuple(map(tuple, states.tolist()))))
+                every_size.append(np.maximum(sizes, least))
     return tuple(attractors), index
 
 
@@ -214,8 +216,13 @@ def _repeated(tail: Matrix, decay: float, omega: float) -> tuple[int | None, Vec
     """Return after how many periods states repeat, None if never, and sizes to compare them."""
     x, v = np.abs(tail).max(axis=0)
     sizes = np.array([max(x, LEAST * v / omega), max(v, LEAST * x * omega)])
-    sizes[sizes == 0] = 1.0
-    return _period(tail / sizes, decay), sizes
+    return _period(tail / np.where(sizes == 0, 1.0, sizes), decay), sizes
+
+
+def _apart(state: Vector, states: Sequence[Sequence[float]], sizes: Vector) -> float:
+    """Return how far a state is from the nearest of others, for given sizes; 0 where alike."""
+    differences = np.abs(np.array(states) - state)
+    return float((differences / np.where(sizes == 0, 1.0, sizes)).max(axis=1).min())
 
 
 def _period(tail: Matrix, decay: float) -> int | None:
@@ -228,7 +235,9 @@ def _period(tail: Matrix, decay: float) -> int | None:
     for period in turns:
         if _off(tail, period) <= max(-AGAIN * math.expm1(-decay * period), ROUNDING):
             before = tail[:-period]
-            parts = (q for q in turns if period % q == 0 and _off(tail, q) <= ONE)
+            parts = (
+                q for q in turns[: period // 2] if period % q == 0 and _off(tail, q) <= ONE
+            )
             less = (q for q in parts if _off(tail, q) <= max(LESS * _off(before, q), 2 * AGAIN))
             return next(less, period)
     return None

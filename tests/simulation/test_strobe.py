@@ -3,6 +3,7 @@
 import json
 import math
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -92,6 +93,24 @@ def test_a_transient_that_changes_sign_each_period_is_no_attractor() -> None:
     ringing = ns.scene("clearance")(damping=0.034, frequency=2.0, gap=100.0)
     (each_period,) = ns.basins(ringing, [-1.0, 1.0], [0.0], 300).attractors
     assert each_period.cycles == 1
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-3, 1e-6])
+def test_each_place_where_friction_holds_a_mass_is_an_attractor(size: float) -> None:
+    numbers = {"mass": 1, "damping": 0.1, "stiffness": 1, "frequency": 0.5}
+    friction = {"mu_s": 0.3, "mu_k": 0.3, "normal_force": size, "force": 0.1 * size}
+    places = [size * x for x in (-0.15, 0.0, 0.1, 0.15)]
+    held = ns.basins(ns.scene("dry-friction")(**numbers, **friction), places, [0.0])
+    assert held.index.tolist() == [[0, 1, 2, 3]]
+    assert [q.states for q in held.attractors] == [((pytest.approx(x), 0.0),) for x in places]
+
+
+@pytest.mark.parametrize("cycles", [12, 15])
+def test_a_ball_may_be_back_after_a_dozen_periods_of_the_stop(cycles: int) -> None:
+    case = ns.scene("impact")(frequency=2.0 * cycles, gap=0.0, force=30.0)
+    orbit = ns.exact(replace(case, cycles=cycles))
+    (found,) = ns.basins(case, *at_no_phase(orbit)[:, None]).attractors
+    assert found.cycles == cycles
 
 
 def test_rows_may_be_computed_elsewhere(found) -> None:
