@@ -2,23 +2,25 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import cache
 from itertools import product
 
 from ..nearest import at_length, one_of
 from .existence.known import known
 from .kernels.start import RoughTimes
 from .scenes.case import Case
+from .scenes.cell import Cell
 from .scenes.loaded import LoadedScene, UnknownScene
 from .scenes.ordered import MIRRORED, all_phases, declared_as, in_order, of_all_phases
-from .scenes.orders import Order, Step, half_if_mirrored, is_odd, pairs
+from .scenes.orders import Order, Step, half_if_mirrored, image, is_odd, pairs
 from .scenes.parameter_error import several
 from .simulation.followers import may_follow
 from .simulation.machine import Machine
 from .simulation.machines import machine_of
 from .simulation.settle import FEW, PHASES, from_several_states
 
-#: Most phases of an order, and most readings of its names.
-MOST_PHASES, MOST_WAYS = 100, 4096
+#: Most phases of an order, most readings of its names, and most different orders among these.
+MOST_PHASES, MOST_WAYS, MOST_ORDERS = 100, 4096, 64
 
 
 def cases_in_order(
@@ -63,12 +65,14 @@ def cases_in_order(
     half = names[-1:] == [MIRRORED]
     machine = machine_of(Case(base, case.values).cell)
     ways = _ways(base, names[:-1] if half else names)
-    orders = list(dict.fromkeys(_orders(machine, ways, half)))
+    orders = _different(machine.cell, _orders(machine, ways, half))
     count = case.cycles if cycles is None else cycles
     whole = [order for order in orders if not order.half_period]
     orders = whole if whole and count % 2 == 0 else orders
     if not orders:
         raise UnknownScene(f"phases: got {','.join(names)}, where one cannot follow another")
+    if len(orders) > MOST_ORDERS:
+        raise _too_many(names, len(orders))
     return [Case(in_order(base, order), case.values, count) for order in orders]
 
 
@@ -149,10 +153,26 @@ def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
         alternatives = [[*plain, *(Step(p, True) for p, _ in plain)] for plain in alternatives]
     count = math.prod(map(len, alternatives))
     if len(names) > MOST_PHASES or count > MOST_WAYS:
-        got = f"{len(names)} that may be meant in {count} ways"
-        raise UnknownScene(f"phases: got {got}, expected fewer, or a minus before the mirrored")
+        raise _too_many(names, count)
     first = choices(base, names[0])
     return [steps for steps in product(*alternatives) if steps[0] in first]
+
+
+def _too_many(names: list[str], count: int) -> UnknownScene:
+    got = f"{len(names)} that may be meant in {count} ways"
+    return UnknownScene(f"phases: got {got}, expected fewer, or a minus before the mirrored")
+
+
+def _different(cell: Cell, orders: Iterator[Order]) -> list[Order]:
+    """Return those of some orders that are neither rotations nor mirror images of others."""
+    first: dict[object, Order] = {}
+    for order in orders:
+        mirrored = tuple(image(cell, step) for step in order.steps)
+        whole = order.steps + mirrored if order.half_period else order.steps
+        every = [whole] if order.half_period or None in mirrored else [whole, mirrored]
+        rotations = ((*q[i:], *q[:i]) for q in every for i in range(len(q)))
+        first.setdefault((order.half_period, min(rotations)), order)
+    return list(first.values())
 
 
 def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:
@@ -161,11 +181,12 @@ def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Itera
     Before a whole period whose second half mirrors its first comes its half.
     """
 
+    @cache
+    def follows(step: Step, follower: Step | None) -> bool:
+        return follower is not None and may_follow(machine, step, follower)
+
     def possible(order: Order) -> bool:
-        return all(
-            follower is not None and may_follow(machine, step, follower)
-            for step, follower in pairs(machine.cell, order)
-        )
+        return all(follows(*pair) for pair in pairs(machine.cell, order))
 
     if half or is_odd(machine.cell):
         yield from filter(possible, (Order(steps, True) for steps in ways))

@@ -143,6 +143,14 @@ def test_an_order_is_asked_for_with_or_without_signs() -> None:
     assert several.scene.motion == "flight,flight,flight,flight"
 
 
+def test_of_orders_that_differ_by_where_they_begin_there_is_one() -> None:
+    """Eight crossings alike: each goes on as the one before or not, 2^8 in all."""
+    case = ns.scene("impact-two-sided")()
+    orders = [each.scene.order for each in cases_in_order(case, ["crossing"] * 8)]
+    assert sum(not order.half_period for order in orders) == 20  # necklaces, colours swapped
+    assert sum(order.half_period for order in orders) == 16 + 2  # of twice as many, and halves
+
+
 def test_an_order_of_an_odd_scene_may_have_even_cycles() -> None:
     with pytest.raises(ValueError, match="cycles: got 2, expected an odd number"):
         ns.scene("impact-two-sided")(cycles=2)
@@ -161,6 +169,7 @@ def test_an_order_of_an_odd_scene_may_have_even_cycles() -> None:
         ("elastic-plastic", "plastic,-plastic", "phase 1 of the scene among them"),
         ("backlash", "engaged,engaged", "one cannot follow another"),
         ("dry-friction", ",".join(["slide", "stop"] * 30), "may be meant in"),
+        ("impact-two-sided", ",".join(["crossing"] * 10), "may be meant in 112 ways"),
         ("impact", "", "got '', expected one of flight"),
         ("impact", "mirrored", "got none, expected at least one"),
     ],
