@@ -184,7 +184,7 @@ def starts(
     if not (undeclared or knowledge.none or looked_at):
         yield from at_hand
     phases = (FEW, PHASES) if knowledge.listed else (PHASES,)
-    for settled in rough_times_by_simulation(case, *phases):
+    for settled in rough_times_by_simulation(case, *phases, widely=undeclared):
         if settled.times is not None:
             yield settled.times.words, settled.times
         elif settled.words:

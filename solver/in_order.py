@@ -96,7 +96,7 @@ def settled_cases(case: Case, *, patiently: bool = False) -> Iterator[tuple[Case
     if patiently or not listed:
         phases.append(PHASES)
     orders: set[Order] = set()
-    for settled in from_several_states(base, *phases):
+    for settled in from_several_states(case, *phases):
         other = settled.other.within(case.cycles) if settled.other else None
         if other is None or other.order in orders:
             continue

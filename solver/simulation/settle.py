@@ -12,9 +12,8 @@ from functools import lru_cache
 
 from ..scenes.case import Case
 from ..scenes.cell import Cell
-from ..scenes.ordered import of_all_phases, placed
+from ..scenes.ordered import OrderedScene, of_all_phases, placed
 from ..scenes.orders import declared_order
-from .machine import Machine
 from .machines import machine_of
 from .outcome import Settled, as_copies, nearly, outcome_of
 from .record import Simulation
@@ -41,7 +40,9 @@ FEW = 500
 ANGLES = tuple(2.4 * j % (2 * math.pi) for j in range(1, 6))
 
 
-def rough_times_by_simulation(case: Case, *phases: int) -> Iterator[Settled]:
+def rough_times_by_simulation(
+    case: Case, *phases: int, widely: bool = False
+) -> Iterator[Settled]:
     """Yield the outcomes of simulations of a case, from rest and from each constraint.
 
     Parameters
@@ -50,6 +51,8 @@ def rough_times_by_simulation(case: Case, *phases: int) -> Iterator[Settled]:
     *phases : int
         Bounds of the phases that are simulated; default `PHASES`.  Of several, the later ones
         are for motions that do not settle within those before.
+    widely : bool
+        Whether other states follow where these do not suffice: see `from_several_states`.
 
     Examples
     --------
@@ -59,8 +62,8 @@ def rough_times_by_simulation(case: Case, *phases: int) -> Iterator[Settled]:
     ('0.929644', 'a simulation settles on flight')
     """
     base = of_all_phases(case)
-    machine = machine_of(base.cell)
-    for settled in _followed_from(base, machine, machine.starts(0.0), phases or (PHASES,)):
+    simulated = from_several_states if widely else _from_rest
+    for settled in simulated(case, *phases):
         yield settled if base is case else _in_that(case, base.cell, settled)
 
 
@@ -75,32 +78,45 @@ def _in_that(case: Case, base: Cell, settled: Settled) -> Settled:
 
 
 def from_several_states(case: Case, *phases: int) -> Iterator[Settled]:
-    """Yield the outcomes of simulations of a case: see `rough_times_by_simulation`.
+    """Yield the outcomes of simulations of all phases that a case may have.
 
-    If none is conclusive, simulations from rest at other phases of the forcing follow; if none
-    settles on an orbit with switches, simulations of a mass that is thrown.
+    After those of `rough_times_by_simulation`, if none is conclusive, or none settles on what
+    is asked for, simulations from rest at other phases of the forcing follow; and if none
+    settles on such an orbit with switches, simulations of a mass that is thrown.
     """
-    outcomes = []
-    for settled in rough_times_by_simulation(case, *phases):
+    base, outcomes = of_all_phases(case), []
+    for settled in _from_rest(case, *phases):
         outcomes.append(settled)
         yield settled
-    if not case.cell.forced or any(q.conclusive and (q.times or q.other) for q in outcomes):
+    if isinstance(case.scene, OrderedScene):
+        asked = [q for q in outcomes if q.conclusive and _in_that(case, base.cell, q).times]
+    else:
+        asked = [q for q in outcomes if q.conclusive and _is_asked(q, case.cycles)]
+    if not base.cell.forced or any(q.times or q.other for q in asked):
         return
-    machine, starts = machine_of(case.cell), machine_of(case.cell).thrown()
-    if not any(q.conclusive for q in outcomes):
+    machine = machine_of(base.cell)
+    starts = machine.thrown()
+    if not asked:
         starts = [*(machine.at_rest(angle) for angle in ANGLES), *starts]
-    yield from _followed_from(case, machine, starts, (FEW * len(starts),))
+    yield from _followed_from(base, starts, (FEW * len(starts),))
+
+
+def _from_rest(case: Case, *phases: int) -> Iterator[Settled]:
+    """Yield the outcomes of simulations from rest and from each constraint."""
+    base = of_all_phases(case)
+    return _followed_from(base, machine_of(base.cell).starts(0.0), phases or (PHASES,))
 
 
 def _followed_from(
-    case: Case, machine: Machine, starts: Iterable[AnyState | None], phases: Sequence[int]
+    case: Case, starts: Iterable[AnyState | None], phases: Sequence[int]
 ) -> Iterator[Settled]:
     """Yield the outcome of a simulation from each admissible state among some.
 
     Then, of those that do not settle on what is asked for, where they almost return.  That a
     motion does not settle is said with the last bound of `phases`.
     """
-    possible = [q for q in dict.fromkeys(starts) if q is not None and machine.begin(q)]
+    begin = machine_of(case.cell).begin
+    possible = [q for q in dict.fromkeys(starts) if q is not None and begin(q)]
     for bound in phases:
         most = bound // max(len(possible), 1)
         followed = {}
@@ -113,7 +129,7 @@ def _followed_from(
         possible = [q for q in possible if not _followed(case, q, most)[0].conclusive]
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=32)
 def _followed(case: Case, start: AnyState, most: int) -> tuple[Settled, ...]:
     """Return the outcome of a simulation, then what else it may show.
 

@@ -143,6 +143,20 @@ def test_an_order_is_asked_for_with_or_without_signs() -> None:
     assert several.scene.motion == "flight,flight,flight,flight"
 
 
+@pytest.mark.parametrize("phases", [None, ",".join(["engaged,loose,-engaged,-loose"] * 2)])
+def test_an_orbit_of_the_period_that_is_asked_for_is_looked_for_from_more_states(
+    phases,
+) -> None:
+    """From rest motions settle on orbits of one period and of two."""
+    play = ns.scene("backlash")(
+        damping=0.0404588, frequency=1.25527167, gap=0.449918, gap_stiffness=0.0, cycles=3,
+        mass=1.0, stiffness=1.0, force=1.0,
+    )  # fmt: skip
+    orbit = ns.solve(play, phases=phases)
+    assert orbit.stable
+    assert orbit.durations[:2] == pytest.approx([5.34246, 0.486445], rel=1e-4)
+
+
 def test_of_orders_that_differ_by_where_they_begin_there_is_one() -> None:
     """Eight crossings alike: each goes on as the one before or not, 2^8 in all."""
     case = ns.scene("impact-two-sided")()

@@ -83,7 +83,7 @@ MUTANTS = (
     ),
     Mutant(
         "the modes left out of a body answer as if they were stiffer",
-        "solver/bodies/modal.py",
+        "solver/bodies/left_out.py",
         "before, response = response, first + shift * without(stiff(M @ response))",
         "before, response = response, first",
         ("tests/bodies/test_large_and_free_bodies.py",),
