@@ -95,4 +95,4 @@ def rests_in(event: Found, y: Vector) -> str:
     """
     last, cell = motion_from(event, y, 4)[-1], event.piece.cell
     lasts = cell.forced and last.s >= 2 * cell.duration
-    return last.phase.name if lasts and last.phase.rests else ""
+    return last.phase.name if lasts and last.phase.held else ""
