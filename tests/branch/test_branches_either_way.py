@@ -113,7 +113,7 @@ def test_the_flight_of_a_body_vanishes_where_its_stop_holds_it_for_ever() -> Non
     found = ns.branch(on_a_stop(gap=-0.5, force=0.6), "force", 0.4, 0.61)
     (event,) = found.events
     assert (event.kind, event.phase) == ("sticking", "flight")
-    beyond = "sticking, beyond which no order of phases is found"
+    beyond = "sticking, beyond which the motion stays in rest"
     assert found.why_it_ended == (beyond, "the end of the range")
     assert event.parameter == pytest.approx(0.5, rel=1e-13)
 

@@ -27,9 +27,6 @@ from nonsmooth.solver.scenes.parameter_error import ParameterError
 #: Most of the range of a parameter in a step.
 PART = 1 / 8
 
-#: What is said where a branch ends with an event.
-BEYOND = "beyond which no order of phases is found"
-
 
 @pytest.fixture(autouse=True)
 def few_steps(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -165,7 +162,7 @@ def test_a_slip_of_a_joint_vanishes_where_friction_just_holds(monkeypatch, tmp_p
     law = case.cell.phases[0].laws[0]
     wanted = case.values["force"] * abs(law[3] / law[4]) / force
     branch = ns.branch(case, "force", 0.5 * wanted, 1.5 * wanted)
-    assert f"sticking, {BEYOND}" in branch.why_it_ended
+    assert "sticking, beyond which the motion stays in stick" in branch.why_it_ended
     (event,) = branch.events
     assert event.parameter == pytest.approx(wanted, rel=1e-12)
 
@@ -222,7 +219,8 @@ def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:
     latch = ns.scene(scene)
     found = ns.branch(latch(), "gap", 0.9, 1.2)
     (event,) = found.events
-    assert found.why_it_ended == ("the end of the range", f"{event.kind}, {BEYOND}")
+    beyond = f"{event.kind}, beyond which no order of phases is found"
+    assert found.why_it_ended == ("the end of the range", beyond)
     freely = exact_orbit(latch(gap=event.parameter, least=1e-3))
     _, speed, *_ = signals(Given(freely.case.cell, 0), freely.times, 0, np.ones(1))[:, 0]
     assert speed * freely.case.units.of_motion(1) == pytest.approx(1.4, rel=1e-13)
