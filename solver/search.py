@@ -44,8 +44,8 @@ def search_of(case: Case, method: str, order: int, functions: int | None) -> "Se
 class Search:
     """A search for an orbit of a case of one motion, and the outcome of each start.
 
-    `words` describe the start in use, `iterations` counts those so far, `exact` tells that
-    `exact_orbit` has found one, `tried` has the reason why each start failed.
+    `words` describe the start in use, `iterations` counts those so far, `exact` tells that an
+    exact orbit is known, `tried` has the reason why each start failed.
     """
 
     case: Case
@@ -94,13 +94,14 @@ class Search:
             return
         if self.exact or known(self.case).orbits:
             yield "there is an exact orbit, and from its times there is no way to one"
+            yield "a higher order may have it, or a tolerance in place of the order"
             return
         yield from not_decided(self.case)
         yield from without_switches(self.case)
 
     def from_exact(self, exact: ExactOrbit) -> Orbit | None:
         """Return the orbit of the method next to an exact one; None if there is none."""
-        self.words = "the times of the exact orbit"
+        self.exact, self.words = True, "the times of the exact orbit"
         starts = chain([exact.times], self.aside(exact.times))
         return next((orbit for orbit in map(self.orbit, starts) if orbit is not None), None)
 
