@@ -94,8 +94,9 @@ def least_inside(
 ) -> tuple[float, float]:
     """Return the least value of a form at its critical points inside a phase, and its time.
 
-    NaN without one.  Between two times of the grid the rate may change its sign, or dip below
-    zero and come back, just behind a jump of the velocity at any scale.
+    NaN without one.  Between two times of the grid the rate may change its sign, or pass zero
+    and come back, at any scale: from above just behind a jump of the velocity, from below just
+    before the end of the phase.
 
     equation : ndarray, shape (5,)
         See `phase_numbers`.
@@ -114,10 +115,12 @@ def least_inside(
             rate = taylor(equation, omega, angle + omega * t, x, v, form)[begins]
         falls = i > 0 and before < 0 <= rate
         dips = i > 0 and before >= 0 <= rate and bent < 0 < bend
-        if falls or dips:
+        peaks = i > 0 and before < 0 and rate < 0 and bent > 0 > bend
+        if falls or dips or peaks:
             start, h = grid[i - 1], t - grid[i - 1, 0]
             terms = taylor(equation, omega, angle + omega * start[0], start[1], start[2], form)
-            u = rises(terms, lowest_rate(terms, h) if dips else 0.0, h)
+            low = lowest_rate(terms, h) if dips else 0.0
+            u = rises(terms, low, lowest_rate(-terms, h) if peaks else h)
             value = polynomial(terms, u, 0)
             if not isnan(u) and (isnan(least) or value < least):
                 least, time = value, start[0] + u
@@ -140,12 +143,12 @@ def lowest_rate(terms: Vector, h: float) -> float:
     return high if polynomial(terms, high, 1) < 0 else nan
 
 
-def rises(terms: Vector, low: float, h: float) -> float:
-    """Return where the rate of a polynomial, negative at `low`, rises through zero up to `h`.
+def rises(terms: Vector, low: float, high: float) -> float:
+    """Return where the rate of a polynomial, negative at `low`, rises through zero.
 
-    By Newton's method, with bisection where that leaves the bracket.
+    That is up to `high`, by Newton's method, with bisection where that leaves the bracket.
     """
-    high, u = h, (low + h) / 2
+    u = (low + high) / 2
     for _ in range(HALVINGS):
         rate, steep = polynomial(terms, u, 1), polynomial(terms, u, 2)
         if rate < 0:

@@ -90,6 +90,37 @@ def test_a_rate_rises_through_zero_where_it_falls_at_first() -> None:
     assert rises(terms, 0.0, 1.5) == pytest.approx((1 + np.sqrt(1.8)) / 2, rel=1e-14)
 
 
+def on_a_spring(cycles: int, **values: float):
+    """Return a body of one mass with a spring behind a gap."""
+    c, k, g = sp.symbols("c k_c g", positive=True)
+    body = Body(M=[[1]], K=[[1]], C=[[c]], forcing=[F], at={"end": [1]})
+    end = body.at["end"]
+    pressed, touched = end.force + k * (end.x - g), Event(end.x - g)
+    contact = Phase("contact", pressed, touched, {"it presses": end.x - g})
+    separated = Phase("separated", end.force, touched, {"before the spring": g - end.x})
+    own = parameters(
+        damping=(c, "N s/m", 0.1), contact_stiffness=(k, "N/m", 4.0), gap=(g, "m", 0.1),
+        force=(F, "N", 1.0), frequency=(Omega, "rad/s", 2.5),
+    )  # fmt: skip
+    two = contact, separated
+    return ns.scene(Scene("on-a-spring", "a mass", own, two, frequency=Omega, body=body))(
+        cycles=cycles, **values
+    )
+
+
+@pytest.mark.parametrize("on_it", [ns.scene("clearance"), on_a_spring])
+def test_a_surface_may_be_touched_just_before_a_phase_ends_on_it(on_it) -> None:
+    """The way there is 3e-8 of the gap at most: it falls, rises and falls in a step."""
+    values = {"gap": 0.0079, "contact_stiffness": 35.6016, "damping": 0.1044, "force": 0.3328}
+    found = ns.branch(on_it(**values, frequency=2.5, cycles=3), "frequency", 2.49, 2.51)
+    assert found.why_it_ended == ("the end of the range", "the end of the range")
+    one, flip, other = sorted(found.events, key=lambda event: event.parameter)
+    assert [one.kind, flip.kind, other.kind] == ["grazing", "flip", "grazing"]
+    assert one.parameter == pytest.approx(2.49463702084478, rel=1e-12)
+    assert flip.parameter == pytest.approx(2.49463921818483, rel=1e-12)
+    assert other.parameter == pytest.approx(2.49464575147096, rel=1e-12)
+
+
 def on_a_stop(**values: float):
     """Return a body of one mass that comes to rest on a stop."""
     g = sp.Symbol("g", real=True)

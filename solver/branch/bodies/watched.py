@@ -26,7 +26,8 @@ from .equations import initial_states
 from .exponential import by_basis
 from .ways import ahead, along, expanded, halves, may_change, moves_of, over, way_of
 
-#: A dip of the rate is looked into if the tangents at its ends meet below this part of it.
+#: A dip or a peak of the rate is looked into if the tangents at its ends meet nearer to zero
+#: than this part of it.
 SHALLOW = 0.5
 
 #: Most steps of a phase that are halved; how often they are until it is seen which matter.
@@ -44,9 +45,9 @@ def least_inside(
 ) -> tuple[float, float]:
     """Return the least value of a form at its critical points inside a phase, and its time.
 
-    NaN without one.  Within a step the rate may change its sign, or dip below zero and come
-    back, just behind a jump of the velocity at any scale.  A body has many minima: those that
-    cannot be the least are left out.
+    NaN without one.  Within a step the rate may change its sign, or pass zero and come back:
+    see `watch.least_inside`.  A body has many minima: those that cannot be the least are left
+    out.
 
     Parameters
     ----------
@@ -79,15 +80,23 @@ def least_inside(
         begin[1] = np.where(times == 0, np.dot(terms[begins], grid[:, 0].copy()), begin[1])
     falls = (begin[1] < 0) & (end[1] >= 0)
     dips = (begin[1] >= 0) & (end[1] >= 0) & (begin[2] < 0) & (end[2] > 0)
-    tangents = lowest(begin[1], end[1], 2 * begin[2], 2 * end[2], h)
+    peaks = (begin[1] < 0) & (end[1] < 0) & (begin[2] > 0) & (end[2] < 0)
+    tangents = meeting(begin[1], end[1], 2 * begin[2], 2 * end[2], h)
     dips &= tangents <= SHALLOW * np.minimum(begin[1], end[1])
-    for i in np.flatnonzero(falls | dips):
-        value, offset, y = nan, 0.0, starts[:, i].copy()
+    peaks &= tangents >= SHALLOW * np.maximum(begin[1], end[1])
+    for i in np.flatnonzero(falls | dips | peaks):
+        value, offset, left, y = nan, 0.0, h, starts[:, i].copy()
+        rises = falls[i]
         if dips[i]:
             y, offset, u = turning(way, y, h, h, finer, terms, 2)
             y, offset = ahead(way, u, y), offset + u
-        if falls[i] or np.dot(terms[1], y) < 0:
-            value, u = risen(way, y, h - offset, h, finer, terms)
+            rises = np.dot(terms[1], y) < 0
+        elif peaks[i]:
+            top, left, u = turning(way, y, h, h, finer, -terms, 2)
+            left += u
+            rises = np.dot(terms[1], ahead(way, u, top)) > 0
+        if rises:
+            value, u = risen(way, y, left - offset, h, finer, terms)
             offset += u
         if not isnan(value) and (isnan(least) or value < least):
             least, time = value, times[i] + offset
@@ -139,10 +148,10 @@ def narrowed(
     return starts[:, order], times[order], halvings
 
 
-def lowest(first: Vector, last: Vector, slope: Vector, last_slope: Vector, h: float) -> Vector:
+def meeting(first: Vector, last: Vector, slope: Vector, last_slope: Vector, h: float) -> Vector:
     """Return the height at which the tangents at both ends of each step meet.
 
-    A convex curve lies above it.
+    A convex curve lies above it, a concave one below.
     """
     bend = slope - last_slope
     u = (last - first - last_slope * h) / np.where(bend == 0, np.nan, bend)
