@@ -18,6 +18,7 @@ from .condition import moved_times
 from .crossings import met_before
 from .forms import scale_of, value, value_at, vanishes_by_event
 from .motion import LOOK, Motion, OrbitPhase
+from .transients import cuts
 
 #: How far below 0 rounding may bring a demand, relative to its scale.
 ROUNDING = 1e-9
@@ -239,7 +240,7 @@ def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -
     signal = partial(value, orbit, p, form)
     if not np.isfinite(scale):
         return [Undecided(f"in {phase.name}, where {words}: the motion is not finite")]
-    parts = chebyshev.pieces(signal, scale)
+    parts = chebyshev.pieces(signal, scale, cuts(orbit, p))
     if not all(part.resolved for part in parts):
         why = "the motion has more waves than can be followed, or is smaller than rounding"
         return [Undecided(f"in {phase.name}, where {words}: {why}")]

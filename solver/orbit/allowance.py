@@ -21,6 +21,7 @@ from . import chebyshev
 from .admissible import ROUNDING, Allowance, only_rounding
 from .forms import scale_of
 from .motion import LOOK, Motion
+from .transients import cuts
 
 #: Safety factor of the estimate, for errors at the start of each phase and their growth.
 FACTOR = 2.0
@@ -52,7 +53,7 @@ def defect(orbit: Motion, p: int) -> tuple[float, float]:
         return np.asarray(terms(u).sum(axis=0))
 
     size = float(np.abs(terms(LOOK)).sum(axis=0).max())
-    rate, travel = chebyshev.accumulated(chebyshev.pieces(residual, size))
+    rate, travel = chebyshev.accumulated(chebyshev.pieces(residual, size, cuts(orbit, p)))
     return s * rate, s * s * travel
 
 

@@ -4,7 +4,7 @@ Pieces are halved until the last coefficients are rounding.  Critical points and
 then exact to rounding: no narrow dip is missed between samples.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -23,9 +23,9 @@ DEGREE, LAST, RESOLVED = 32, 4, 1e-13
 #: that halving a piece does not lower are noise: the piece is resolved.
 NOISE = 1e-8
 
-#: Shortest piece, and most pieces: a function that needs more has more waves than can be
-#: followed, or consists mostly of rounding errors.
-SHORTEST, MOST = 2.0**-40, 256
+#: Most halvings of a piece, and most pieces: a function that needs more has more waves than
+#: can be followed, or consists mostly of rounding errors.
+HALVINGS, MOST = 40, 256
 
 #: Coefficients below this, relative to the values, are their rounding errors.
 ROUNDING = 1e-14
@@ -73,7 +73,9 @@ def interpolation(degree: int) -> tuple[Vector, Matrix]:
     return np.asarray(nodes), np.asarray(matrix)
 
 
-def pieces(function: Function, size: float = 0.0) -> list[Piece]:
+def pieces(
+    function: Function, size: float = 0.0, cuts: Sequence[float] | Vector = ()
+) -> list[Piece]:
     """Return the interpolants of a function on [0, 1], from left to right.
 
     Parameters
@@ -83,28 +85,34 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
     size : float
         Size of the terms whose sum the function is, if larger than its own values: their
         rounding errors limit its resolution.
+    cuts : sequence of float
+        Where the first pieces meet, in increasing order; see `transients.cuts`.
     """
     nodes, matrix = interpolation(DEGREE)
     interpolants: list[Piece] = []
-    starts, length, last_before = np.zeros(1), 1.0, np.full(1, np.inf)
-    while len(starts):  # pieces of one length at a time
-        values = function((starts[:, None] + length * (1 + nodes) / 2).ravel())
+    edges = np.array([0.0, *cuts, 1.0])
+    starts, ends, last_before = edges[:-1], edges[1:], np.full(len(edges) - 1, np.inf)
+    halvings = 0
+    while len(starts):  # all pieces once halved, then all twice
+        lengths = ends - starts
+        values = function((starts[:, None] + lengths[:, None] * (1 + nodes) / 2).ravel())
         coefficients = values.reshape(len(starts), -1) @ matrix
         size = max(size, float(np.abs(values).max()))
         last = np.abs(coefficients[:, -LAST:]).max(axis=1)
         only_noise = (last <= NOISE * size) & (last > last_before / 100)
         resolved = (last <= RESOLVED * size) | only_noise
         too_many = len(interpolants) + len(starts) >= MOST
-        done = resolved | too_many | (length <= SHORTEST)
+        done = resolved | too_many | (halvings >= HALVINGS)
         interpolants += [
-            Piece(float(start), float(start) + length, row, bool(is_resolved))
-            for start, row, is_resolved in zip(
-                starts[done], coefficients[done], resolved[done], strict=True
+            Piece(float(start), float(end), row, bool(is_resolved))
+            for start, end, row, is_resolved in zip(
+                starts[done], ends[done], coefficients[done], resolved[done], strict=True
             )
         ]
-        length /= 2
-        starts = (starts[~done, None] + np.array([0.0, length])).ravel()
-        last_before = np.repeat(last[~done], 2)
+        middles = (starts + lengths / 2)[~done]
+        starts = np.column_stack([starts[~done], middles]).ravel()
+        ends = np.column_stack([middles, ends[~done]]).ravel()
+        last_before, halvings = np.repeat(last[~done], 2), halvings + 1
     return sorted(interpolants, key=lambda piece: piece.start)
 
 
@@ -114,12 +122,14 @@ def candidates(parts: list[Piece]) -> Vector:
     return np.concatenate([ends, *(part.critical_points() for part in parts)])
 
 
-def extremes(function: Function, size: float = 0.0) -> tuple[float, float]:
+def extremes(
+    function: Function, size: float = 0.0, cuts: Sequence[float] | Vector = ()
+) -> tuple[float, float]:
     """Return the least and the largest value of a function on [0, 1]; see `pieces`.
 
     Critical points are looked for in those pieces that may have values beyond their ends.
     """
-    parts = pieces(function, size)
+    parts = pieces(function, size, cuts)
     coefficients = np.array([part.coefficients for part in parts])
     mean, waves = coefficients[:, 0], coefficients[:, 1:]
     signs = (-1.0) ** np.arange(1, coefficients.shape[1])

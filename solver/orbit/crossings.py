@@ -17,6 +17,7 @@ from ..scenes.bodies.cell import BodyCell
 from . import chebyshev
 from .forms import scale_of, value, value_at
 from .motion import Motion
+from .transients import cuts
 
 #: Halvings of the interval in which a sign changes.
 HALVINGS = 60
@@ -45,7 +46,7 @@ def _changes(orbit: Motion, p: int, allowed: float) -> list[tuple[float, float]]
     scale = scale_of(orbit, p, form)
     if not np.isfinite(scale):
         return []
-    parts = chebyshev.pieces(partial(value, orbit, p, form), scale)
+    parts = chebyshev.pieces(partial(value, orbit, p, form), scale, cuts(orbit, p))
     points = np.sort(chebyshev.candidates(parts))
     values = value(orbit, p, form, points)
     clear = np.flatnonzero(np.abs(values) > allowed * scale)

@@ -12,6 +12,7 @@ from ..arrays import Vector
 from . import chebyshev
 from .motion import LOOK, Motion
 from .quadrature import panels
+from .transients import cuts
 
 
 @dataclass(frozen=True)
@@ -140,7 +141,7 @@ def size_of_forces(motion: Motion, p: int) -> float:
 
 def _acceleration_pieces(motion: Motion, p: int, size: float) -> list[chebyshev.Piece]:
     """Return interpolants of the acceleration in phase `p`, a sum of forces of a size."""
-    parts = chebyshev.pieces(lambda w: motion.part(p, w, 2), size)
+    parts = chebyshev.pieces(lambda w: motion.part(p, w, 2), size, cuts(motion, p))
     return [replace(part, coefficients=part.significant(size)) for part in parts]
 
 

@@ -16,6 +16,7 @@ from ..scenes.cell import Cell
 from ..scenes.ordered import names_of_period
 from ..stability.stability import Stability, stability
 from . import chebyshev
+from .transients import cuts
 
 #: Local times at which the size of a motion is sampled.  Values at this many points or fewer
 #: are cached.
@@ -257,7 +258,8 @@ class Motion:
         """Return the least and the largest value of a derivative, from its critical points."""
         parts = [partial(self.part, p, derivative=derivative) for p in self._of_cell]
         size = max(float(np.abs(part(LOOK)).max()) for part in parts)
-        low, high = np.transpose([chebyshev.extremes(part, size) for part in parts])
+        ranges = [chebyshev.extremes(q, size, cuts(self, p)) for p, q in enumerate(parts)]
+        low, high = np.transpose(ranges)
         least, largest = float(low.min()), float(high.max())
         if self.case.cell.sign < 0:
             least, largest = min(least, -largest), max(largest, -least)

@@ -40,6 +40,19 @@ def reason(case, durations, angle=0.0):
     return why
 
 
+def test_a_contact_that_is_left_before_a_node_sees_it():
+    """It bounces once on a landing that is over in a ten-thousandth of the contact."""
+    case = registry.load("clearance")(
+        damping=80.0, contact_stiffness=47000.0, gap=-0.3, force=0.53, frequency=0.012
+    )
+    why = reason(case, np.array([314.5898, 209.0090]) / case.units.time, 4.680616)
+    assert "in contact, not true that the second spring is pressed: by 8.02e-07" in why
+    bouncing = exact_orbit(case)
+    assert bouncing.stable
+    durations = [314.56481, 209.00896, 0.021243781, 0.0037560888]
+    assert bouncing.durations == pytest.approx(durations, rel=1e-7)
+
+
 def test_sliding_where_the_mass_would_stop():
     case = FRICTION(frequency=0.4, mu_s=0.6, mu_k=0.5).of_motion("sliding")
     start = reason(case, [math.pi], 1.5)

@@ -22,7 +22,7 @@ from .switches import first_phase, has_rest
 MOST_PHASES = 100_000
 
 #: Number of windows whose search for events costs about as much as the rest of a phase.
-STRETCH = 10
+STRETCH = 100
 
 
 def several(
