@@ -15,7 +15,6 @@ from .scenes.case import Case, check_case
 from .scenes.ordered import OrderedScene, declared_as, in_order
 from .scenes.orders import half_if_mirrored
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
-from .stability.stability import is_stable
 
 __all__ = ["ExactOrbit", "exact_orbit"]
 
@@ -73,7 +72,7 @@ def exact_orbit(
         if settled is None:
             raise
         return settled
-    unstable = case.scene.motion is None and is_stable(orbit) is False
+    unstable = case.scene.motion is None and orbit.stable is False
     return (settled_orbit(case, beside=True) if unstable else None) or orbit
 
 
@@ -89,7 +88,7 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
     of_declared = _admissible(_declared(case)) if beside else ()
     unstable = None
     for orbit in chain(of_declared, settled_orbits(case, patiently=not beside)):
-        if is_stable(orbit) is not False:
+        if orbit.stable is not False:
             return orbit
         unstable = unstable or orbit
     return None if beside else unstable
@@ -104,7 +103,7 @@ def settled_orbits(case: Case, *, patiently: bool = False) -> Iterator[ExactOrbi
     of_any = case.scene.motion is None
     for orbit in _admissible(settled_cases(case, patiently=patiently) if of_any else ()):
         yield orbit
-        if is_stable(orbit) is False:
+        if orbit.stable is False:
             yield from (q for q in known(orbit.case).orbits if not are_one(q, orbit))
 
 

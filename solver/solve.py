@@ -12,7 +12,6 @@ from .results.orbit import Orbit
 from .scenes.case import Case, check_case
 from .scenes.methods import FIRST
 from .search import COARSE, Search, search_of
-from .stability.stability import is_stable
 
 
 def solve_case(
@@ -78,7 +77,7 @@ def solve_case(
         if other is None:
             raise
         return other
-    if case.scene.motion is None and is_stable(solution) is False:
+    if case.scene.motion is None and solution.stable is False:
         with suppress(NoOrbit):  # the method may not have the stable one
             return settled(beside=True) or solution
     return solution
@@ -111,7 +110,7 @@ def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = Non
     for candidate in candidates:
         with suppress(NoOrbit):
             cases[exact_orbit(candidate)] = candidate
-        if any(map(is_stable, cases)):
+        if any(exact.stable for exact in cases):
             break
     return cases[stable_first(cases)[0]] if cases else candidates[0]
 
@@ -134,7 +133,7 @@ def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
     if not case.scene.motions:
         return case
     for exact in known_orbits(case):
-        if is_stable(exact) is not False:
+        if exact.stable is not False:
             return exact.case
     return solve_case(case, order=max(order, COARSE[-1])).case
 

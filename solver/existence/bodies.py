@@ -27,7 +27,6 @@ from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..simulation import homotopy
-from ..stability.stability import is_stable
 from .enclosure import changes_of_sign
 from .one_phase import ROUNDING, on_the_circle
 
@@ -70,7 +69,7 @@ def solutions(case: Case) -> Iterator[ExactOrbit]:
     """
     roots: list[ExactOrbit] = []
     for group in _starts(case.cell):  # type: ignore[arg-type]
-        if any(solution.admissible and is_stable(solution) for solution in roots):
+        if any(solution.admissible and solution.stable for solution in roots):
             return
         for start in ends(case.cell, [*group]):  # type: ignore[arg-type]
             if any(times_apart(q, start.durations, start.angle) <= SAME for q in roots):

@@ -23,7 +23,6 @@ from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.ordered import OrderedScene
-from ..stability.stability import is_stable
 from . import bodies, one_phase, two_phases
 
 #: Difference of times, relative to a cell, below which two solutions are the same.
@@ -135,7 +134,7 @@ def are_one(orbit: ExactOrbit, other: ExactOrbit) -> bool:
 def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:
     """Return orbits in their order, except that stable ones come first."""
     orbits = list(orbits)
-    return orbits if len(orbits) < 2 else sorted(orbits, key=lambda q: is_stable(q) is not True)
+    return orbits if len(orbits) < 2 else sorted(orbits, key=lambda q: q.stable is not True)
 
 
 def _sorted(solutions: Iterable[ExactOrbit], complete: bool) -> Known:

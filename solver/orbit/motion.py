@@ -1,6 +1,7 @@
 """A periodic motion of a case, in SI units, made of the motion of each phase."""
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import cached_property, partial
 from typing import Any
@@ -14,6 +15,7 @@ from ..kernels.kernel import Kernel
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.ordered import names_of_period
+from ..stability.monodromy import NoMultipliersError
 from ..stability.stability import Stability, stability
 from . import chebyshev
 from .transients import cuts
@@ -292,8 +294,10 @@ class Motion:
 
     @property
     def stable(self) -> bool | None:
-        """Whether small perturbations decay; None if undecided."""
-        return self.stability.stable
+        """Whether small perturbations decay; None if undecided, or without multipliers."""
+        with suppress(NoMultipliersError):
+            return self.stability.stable
+        return None
 
     @property
     def margin(self) -> float:

@@ -6,7 +6,6 @@ import numpy as np
 
 from ..presentation.notebook import facts, svg
 from ..presentation.table import COURSE, Table, Tabular
-from ..stability.stability import is_stable
 from .motion import Motion
 
 #: Times per period in a table, unless others are asked for.
@@ -58,7 +57,7 @@ class Shown(Motion, Tabular):
     @property
     def _verdict(self) -> str:
         """``", stable"`` or ``", unstable"``; empty where neither is known."""
-        stable = is_stable(self)
+        stable = self.stable
         return "" if stable is None else ", stable" if stable else ", unstable"
 
     def plot(self, ax: Any = None, quantity: str = "plane", **style: Any) -> Any:

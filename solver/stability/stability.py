@@ -10,7 +10,7 @@ import numpy as np
 from ..arrays import Complex, Matrix
 from ..scenes.cell import Cell
 from .cell_map import lasting
-from .monodromy import Monodromy, NoMultipliersError, monodromy
+from .monodromy import Monodromy, monodromy
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
@@ -65,14 +65,6 @@ def stability(motion: "Motion") -> Stability:
         If there are none, or a check of the computation failed; with the reason in words.
     """
     return of_monodromy(motion.case.cell, monodromy(motion))
-
-
-def is_stable(motion: "Motion") -> bool | None:
-    """Return whether a motion is stable; None if undecided or without multipliers."""
-    try:
-        return motion.stable
-    except NoMultipliersError:
-        return None
 
 
 def of_monodromy(cell: Cell, of_cell: Monodromy) -> Stability:

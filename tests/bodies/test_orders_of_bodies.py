@@ -24,7 +24,6 @@ from nonsmooth.solver.scenes.loaded import UnknownScene
 from nonsmooth.solver.scenes.mirror import mirror
 from nonsmooth.solver.scenes.ordered import MIRRORED, in_order
 from nonsmooth.solver.scenes.orders import Order, Step, image
-from nonsmooth.solver.stability.stability import is_stable
 
 SHIPPED = {q.name: q for q in map(registry.load, registry.names()) if q.has_body}
 
@@ -194,9 +193,9 @@ def test_where_motions_settle_on_no_stable_orbit_the_others_of_their_orders_are_
     parameters = tuple(Parameter(*q, q[0]) for q in numbers)
     own = ns.scene(Scene("ball", "", parameters, phases, frequency=Omega, body=body))()
     reached = (from_times(*settled) for settled in settled_cases(own))
-    assert {is_stable(q) for q in reached if q.outcome.converged and q.admissible} == {False}
+    assert {q.stable for q in reached if q.outcome.converged and q.admissible} == {False}
     orbit = exact_orbit(own)
-    assert is_stable(orbit)
+    assert orbit.stable
     assert orbit.case.scene.motion == "open,up,mirrored"
     assert [phase.name for phase in orbit.phases] == ["open", "up", "open_by_2", "down"]
 

@@ -103,8 +103,8 @@ MUTANTS = (
     Mutant(
         "of two orbits the unstable one is returned",
         "solver/existence/known.py",
-        "key=lambda q: is_stable(q) is not True",
-        "key=lambda q: is_stable(q) is True",
+        "key=lambda q: q.stable is not True",
+        "key=lambda q: q.stable is True",
         (f"{WRONG[0]}::test_of_two_orbits_the_stable_one_is_returned_and_the_other_named",),
     ),
     Mutant(

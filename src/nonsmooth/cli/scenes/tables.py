@@ -18,7 +18,6 @@ from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import shown
 from nonsmooth.solver.simulation.record import SimulatedPhase, Simulation
 from nonsmooth.solver.stability.in_words import VERDICTS, in_words
-from nonsmooth.solver.stability.stability import is_stable
 from nonsmooth.solver.trade.measured import Trade
 
 from ..columns import (
@@ -84,7 +83,7 @@ def others_beside(exact: ExactOrbit | None) -> Iterator[Piece]:
     """Say that there are other orbits beside one, if they are known."""
     orbits = [] if exact is None else others(exact)
     if orbits:
-        verdicts = [VERDICTS[is_stable(orbit)] for orbit in orbits]
+        verdicts = [VERDICTS[orbit.stable] for orbit in orbits]
         count = "another orbit" if len(orbits) == 1 else f"{len(orbits)} other orbits"
         words = f"{count} at these parameters: {', '.join(verdicts)}; see --all"
         yield filled(words[0].upper() + words[1:])
