@@ -112,7 +112,11 @@ def known_orbits(case: Case) -> list[ExactOrbit]:
 
 def others(orbit: ExactOrbit) -> list[ExactOrbit]:
     """Return the other known orbits of the same oscillator, of any motion."""
-    return [other for other in known_orbits(orbit.case.whole) if not are_one(orbit, other)]
+    case, scene = orbit.case, orbit.case.scene.whole
+    if scene.half_period and case.cycles % 2 == 0:  # no motion of the scene has that period
+        return []
+    every = known_orbits(Case(scene, case.values, case.cycles))
+    return [other for other in every if not are_one(orbit, other)]
 
 
 def are_one(orbit: ExactOrbit, other: ExactOrbit) -> bool:

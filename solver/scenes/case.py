@@ -108,13 +108,6 @@ class Case:
         return Case(self.scene.of_motion(name), self.values, self.cycles)
 
     @property
-    def whole(self) -> "Case":
-        """The case of all motions of the scene; itself if it has only one."""
-        if self.scene.motion is None:
-            return self
-        return Case(self.scene.whole, self.values, self.cycles)
-
-    @property
     def each_motion(self) -> "tuple[Case, ...]":
         """The case of each motion of the scene; itself if it has only one."""
         if not self.scene.motions:
@@ -207,7 +200,7 @@ def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
     if scene.frequency is None and count != 1:
         expected = f"1: nothing forces {scene.name}"
     elif scene.half_period and count % 2 == 0:
-        expected = f"an odd number: x(t + T/2) = -x(t) in {scene.name}"
+        expected = f"an odd number: x(t + T/2) = -x(t) in {scene.name}, unless phases are given"
     else:
         return []
     return [f"cycles: got {repeated(cycles)}, expected {expected}"]

@@ -45,7 +45,11 @@ def test_a_parameter_of_another_scene_is_one_line(name):
         ("impact", True, "cycles: got True, expected a whole number"),
         ("impact", 101, "cycles: got 101, expected a whole number"),
         ("stick-slip", 2, "cycles: got 2, expected 1: nothing forces stick-slip"),
-        ("backlash", 2, "cycles: got 2, expected an odd number"),
+        (
+            "backlash",
+            2,
+            "cycles: got 2, expected an odd number: x(t + T/2) = -x(t) in backlash",
+        ),
     ],
 )
 def test_cycles_that_cannot_be(name, cycles, words):

@@ -173,6 +173,27 @@ def test_an_order_of_an_odd_scene_may_have_even_cycles() -> None:
     assert (found.cycles, found.scene.half_period) == (2, False)
 
 
+def test_an_orbit_of_even_cycles_is_printed_and_has_no_others(run) -> None:
+    numbers = (
+        "--gap",
+        0.5689,
+        "--restitution",
+        0.584,
+        "--damping",
+        0.0197,
+        "--frequency",
+        3.3703,
+    )
+    given = "impact-two-sided", *numbers, "--cycles", 2
+    status, out, _ = run("solve", *given, "--phases", "crossing,-crossing")
+    assert status == 0
+    assert "stable" in out
+    status, _, err = run("solve", *given)
+    assert status == 2
+    assert "--cycles: got 2, expected an odd number" in err
+    assert "unless phases are given" in err
+
+
 @pytest.mark.parametrize(
     ("scene", "names", "why"),
     [
