@@ -1,4 +1,7 @@
-"""Beyond a place next to which no step of a branch succeeds, as several phases vanish there."""
+"""Orbits beyond an event, or a place where no step succeeds, in the order of a motion there.
+
+It is not taken if its branch, followed back, comes to an event elsewhere first.
+"""
 
 from .events.locate import Found
 from .follow import Segment, follow
@@ -9,26 +12,38 @@ from .place import Place
 #: Most orbits followed back to an event, about.
 FEW = 16
 
-#: How near to the last orbit the event must be, as a part of the range of the parameter.
-CLOSE = 1e-4
+#: How near to it an event must be, as a part of the range of the parameter.
+CLOSE = 1e-8
+
+
+def after(event: Found, part: float) -> tuple[Piece, Place] | None:
+    """Return an orbit beyond an event in the order of phases of a motion; None without one."""
+    orbit = moved_on(event)
+    if orbit is None:
+        return None
+    before = followed_back(orbit, part).end
+    return orbit if before is None or _is_at(before, event.value) else None
 
 
 def across(segment: Segment, part: float) -> tuple[Piece, Place] | None:
     """Return an orbit beyond the end of a segment, to which the event there is added.
 
-    The event is that at which the orbits beyond end, followed back.  None without one.
+    No step leads there, as several phases vanish at once.  None without one.
     """
     piece, place = segment.points[-1]
     orbit = moved_on(Found("", None, None, piece, place))
-    if orbit is None:
+    event = None if orbit is None else followed_back(orbit, part).end
+    if event is None or not _is_at(event, piece.value(place.y)):
         return None
-    back = followed_back(orbit, part)
-    close = CLOSE * (piece.bounds[1] - piece.bounds[0])
-    if back.end is None or abs(back.end.value - piece.value(place.y)) > close:
-        return None
-    segment.events.append(back.end)
-    segment.why = back.end.kind
+    segment.events.append(event)
+    segment.why = event.kind
     return orbit
+
+
+def _is_at(event: Found, value: float) -> bool:
+    """Whether an event is at a value of the parameter."""
+    low, high = event.piece.bounds
+    return abs(event.value - value) <= CLOSE * (high - low)
 
 
 def followed_back(orbit: tuple[Piece, Place], part: float) -> Segment:

@@ -14,7 +14,7 @@ from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..scenes.case import Case
 from ..scenes.ordered import placed
 from ..scenes.orders import Order, Step, image
-from .across import across, followed_back
+from .across import across, after, followed_back
 from .bodies.course import BodyCourse
 from .course import Course
 from .events.locate import Found
@@ -187,7 +187,7 @@ def go(
             orbit = across(segment, part) if segment.why == NO_STEP else None
             end = segment.end
             if end is not None and orbit is None:
-                orbit = beyond(end)
+                orbit = beyond(end) or after(end, part)
             if end is not None and orbit is None:
                 segment.why = f"{end.kind}, beyond which {why_none(end)}"
             if orbit is not None and len(orbit[0].course.order.steps) > orbit[0].course.most:

@@ -1,5 +1,6 @@
 """Orders of phases that a motion shows: beyond an event that brings several changes at once."""
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -64,6 +65,20 @@ def test_both_reversals_begin_to_stick_at_once_though_no_symmetry_is_declared() 
     assert {len(row.durations) for row in found.rows} == {2, 4}
     exact = exact_orbit(scene(friction=0.34))
     assert sorted(found.rows[-1].durations) == pytest.approx(sorted(exact.durations), rel=1e-9)
+
+
+def test_a_branch_ends_where_impacts_accumulate_and_does_not_come_back() -> None:
+    """From four impacts in half a period to 19, each event once."""
+    case = ns.scene("impact-two-sided")(
+        frequency=0.72, gap=0.4099, restitution=0.404, damping=0.2556
+    )
+    found = ns.branch(case, "frequency", 0.65, 0.72)
+    first, last = found.why_it_ended
+    assert first == "grazing, beyond which the switches accumulate"
+    assert last == "the end of the range"
+    events = sorted(event.parameter for event in found.events)
+    assert np.diff(events).min() > 1e-9
+    assert events[0] == pytest.approx(0.7093248976887, rel=1e-11)
 
 
 @pytest.mark.parametrize("force", [0.65, 0.8])

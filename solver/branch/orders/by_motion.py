@@ -62,7 +62,7 @@ def motion_from(event: Found, y: Vector, cells: int = 1) -> list[Segment]:
     lasting = cell.duration if cell.forced else float(durations.sum())
     segments, _, ended, _ = walk(piece.case, machine, begin, cells * lasting)
     if ended:
-        raise NoStepError
+        raise NoStepError(ended)
     return segments
 
 
@@ -88,11 +88,14 @@ def by_motion(event: Found, y: Vector) -> Candidate:
     return Candidate(tuple(slots), half, segments[1].angle)
 
 
-def rests_in(event: Found, y: Vector) -> str:
-    """Return the name of the phase that holds the motion for ever; empty if none does.
+def told(event: Found, y: Vector) -> str:
+    """Return in words what the motion that begins on an orbit comes to; empty if not known.
 
-    Under a forcing, if it lasts for a whole period.
+    A phase holds it for ever (under a forcing, for a whole period), or its switches accumulate.
     """
-    last, cell = motion_from(event, y, 4)[-1], event.piece.cell
+    try:
+        last, cell = motion_from(event, y, 4)[-1], event.piece.cell
+    except NoStepError as error:
+        return "the switches accumulate" if str(error).startswith("chatter") else ""
     lasts = cell.forced and last.s >= 2 * cell.duration
-    return last.phase.name if lasts and last.phase.held else ""
+    return f"the motion stays in {last.phase.name}" if lasts and last.phase.held else ""

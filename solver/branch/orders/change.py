@@ -22,7 +22,7 @@ from ..meeting import halves_apart
 from ..piece import Piece, unit_of
 from ..place import NoStepError, Place
 from ..walk import MEETS, OWN
-from .by_motion import by_motion, places_beside, rests_in
+from .by_motion import by_motion, places_beside, told
 from .candidate import Candidate
 from .candidates import AtEvent
 from .reading import BESIDE
@@ -47,19 +47,13 @@ FARTHER = (1e-1, 3e-2, 1e-2)
 
 
 def beyond(event: Found) -> tuple[Piece, Place] | None:
-    """Return an orbit beyond an event that changes the order of phases; None without one.
-
-    Parameters
-    ----------
-    event : Found
-        The event.
-    """
+    """Return an orbit beyond an event in one of its candidates; None without one."""
     at_event = AtEvent(event)
     for candidate in map(at_event.as_declared, at_event.candidates()):
         for ahead in AHEAD:
             with suppress(ArithmeticError, ParameterError, UnknownScene):
                 return _orbit_beyond(event, candidate, ahead)
-    return moved_on(event)
+    return None
 
 
 def moved_on(event: Found) -> tuple[Piece, Place] | None:
@@ -107,9 +101,9 @@ def why_none(event: Found) -> str:
             return f"nothing sets {memory.name}, which may have any of many values"
     for y in places_beside(event, BY_MOTION[0]):
         with suppress(ArithmeticError, ParameterError, UnknownScene):
-            name = rests_in(event, y)
-            if name:
-                return f"the motion stays in {name}"
+            words = told(event, y)
+            if words:
+                return words
     return "no order of phases is found"
 
 
