@@ -106,10 +106,13 @@ def outcome_of(cell: Cell, motion: Simulation) -> Settled:
 
 
 def as_copies(cell: Cell, motion: Simulation) -> tuple[Settled, ...]:
-    """Return what a motion repeats with all copies, where `outcome_of` takes them for one."""
+    """Return what a motion repeats with all copies, where `outcome_of` takes them for one.
+
+    Without words: it may be tried, but most likely it is that one.
+    """
     again = repeated(cell, motion.segments)
     are_copies = again is not None and shortest(cell, again) != again
-    return (_settled_on(cell, again),) if again and are_copies else ()
+    return (replace(_settled_on(cell, again), words=""),) if again and are_copies else ()
 
 
 def nearly(cell: Cell, motion: Simulation, cycles: int) -> Iterator[Settled]:

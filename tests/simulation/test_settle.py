@@ -119,6 +119,15 @@ def test_where_no_orbit_is_known_a_slow_transient_is_followed_to_its_end() -> No
         ns.exact(case)
 
 
+def test_a_motion_that_winds_about_its_orbit_is_not_said_to_have_a_longer_period() -> None:
+    """It is back sooner after two periods than after one."""
+    case = ns.scene("clearance")(
+        frequency=1.9688, gap=0.1991, contact_stiffness=4.7276, damping=0.0322, force=0.6028
+    )
+    with pytest.raises(NoOrbit, match=r"in each period of the forcing$"):
+        ns.exact(replace(case, cycles=2))
+
+
 def test_another_motion_of_the_scene_on_which_it_settles_is_that_motion() -> None:
     """Where its own phases do not admit the transient, nothing else leads to its orbit."""
     case = ns.scene("dry-friction")()
