@@ -14,9 +14,9 @@ from ..scenes.cell import Cell
 if TYPE_CHECKING:
     from .motion import Motion
 
-#: Decays by a factor e in a phase beyond which a transient may pass between the first two nodes
-#: of an interpolant: there is left of it what is too small to show that it was larger before.
-FAST = 5e3
+#: Decays by a factor e in a phase beyond which a transient may pass between the first nodes of
+#: an interpolant: what is left of it there is too small to be told from rounding.
+FAST = 50.0
 
 #: Decays after which nothing is left of it.
 GONE = 40.0
@@ -37,7 +37,7 @@ def cuts(motion: "Motion", p: int) -> Vector:
     [0, 7]
     """
     rates = -_roots(motion.case.cell, p).real * float(motion.cell_durations[p])
-    return np.concatenate([_from_start(rates), 1 - _from_start(-rates)[::-1]])
+    return np.sort(np.concatenate([_from_start(rates), 1 - _from_start(-rates)]))
 
 
 def _from_start(rates: Vector) -> Vector:
@@ -46,7 +46,8 @@ def _from_start(rates: Vector) -> Vector:
     if not len(fast) or not np.isfinite(fast).all():
         return np.empty(0)
     first, last = 1 / fast.max(), GONE / fast.min()
-    return np.asarray(first * 2.0 ** np.arange(np.ceil(np.log2(last / first)) + 1))
+    times = first * 2.0 ** np.arange(np.ceil(np.log2(last / first)) + 1)
+    return np.asarray(times[times < 1.0])
 
 
 def _roots(cell: Cell, p: int) -> Vector:

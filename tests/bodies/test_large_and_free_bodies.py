@@ -304,3 +304,23 @@ def test_a_demand_may_have_the_modulus_of_any_contact(width: float, admitted: bo
     else:
         with pytest.raises(ns.NoOrbit, match="not true that the middle stays within"):
             ns.solve(ns.scene(scene)(), order=10)
+
+
+def test_a_light_mass_that_rings_on_a_damped_stop_leaves_it() -> None:
+    """The ringing is over in a thousandth of a contact in which nothing else moves it off."""
+    K, C = ([[p + q, -q], [-q, q]] for p, q in ((3.130147777, 1.583422211), (4.1173363, 0.031)))
+    body = Body(M=np.diag([1.0, 0.011537795]), K=K, C=C, forcing=[1, 0], at={"end": [0, 1]})
+    end, stop = body.at["end"], sp.Symbol("c_s", positive=True)
+    on_it = end.force + k * (end.x - g) + stop * end.v
+    touch = Phase("touch", on_it, Event(end.x - g), {"it presses": end.x - g})
+    free = Phase("free", end.force, Event(end.x - g), {"before the stop": g - end.x})
+    numbers = (
+        ("stiffness", k, "N/m", 36843911.7), ("damping", stop, "N s/m", 43.987),
+        ("gap", g, "m", 0.314376219), ("frequency", Omega, "rad/s", 0.120390585),
+    )  # fmt: skip
+    own = tuple(Parameter(*each, each[0]) for each in numbers)
+    scene = Scene("ringing", "", own, (touch, free), frequency=Omega, body=body)
+    with pytest.raises(
+        ns.NoOrbit, match=r"touch 1\.97\d* s, in touch, not true that it presses"
+    ):
+        ns.exact(ns.scene(scene)())
