@@ -21,7 +21,7 @@ DEGREE, LAST, RESOLVED = 32, 4, 1e-13
 
 #: Largest rounding error of a function, relative to its size.  Last coefficients below this
 #: that halving a piece does not lower are noise: the piece is resolved.
-NOISE = 1e-10
+NOISE = 1e-8
 
 #: Most halvings of a piece, and most pieces: a function that needs more has more waves than
 #: can be followed, or consists mostly of rounding errors.
