@@ -389,4 +389,18 @@ MUTANTS = (
         "if False:",
         (f"{EVENTS}::test_what_happens_is_located_to_rounding",),
     ),
+    Mutant(
+        "a transient that is short against its phase goes unseen",
+        "solver/orbit/transients.py",
+        "FAST = 50.0",
+        "FAST = 5e9",
+        WRONG,
+    ),
+    Mutant(
+        "a surface that is touched just before a phase ends on it goes unseen",
+        "solver/branch/watch.py",
+        "peaks = i > 0 and before < 0 and rate < 0 and bent > 0 > bend",
+        "peaks = False",
+        ("tests/branch/test_branches_either_way.py",),
+    ),
 )
