@@ -147,12 +147,14 @@ def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
     """Return the sequences of phases that names may mean; the first is as it is named."""
     if not names:
         raise UnknownScene("phases: got none, expected at least one")
+    if len(names) > MOST_PHASES:
+        raise UnknownScene(f"phases: got {len(names)}, expected {MOST_PHASES} at most")
     signed = any(name.startswith("-") for name in names)
     alternatives = [choices(base, name) for name in names]
     if base.half_period and not signed:
         alternatives = [[*plain, *(Step(p, True) for p, _ in plain)] for plain in alternatives]
     count = math.prod(map(len, alternatives))
-    if len(names) > MOST_PHASES or count > MOST_WAYS:
+    if count > MOST_WAYS:
         raise _too_many(names, count)
     first = choices(base, names[0])
     return [steps for steps in product(*alternatives) if steps[0] in first]

@@ -100,6 +100,6 @@ def at_length(names: str) -> list[str]:
     """
     found: list[str] = []
     for name in map(str.strip, names.split(",")):
-        times = re.fullmatch(r"(\d{1,3}) x (.+)", name)
+        times = re.fullmatch(r"(\d{1,6}) x (.+)", name)
         found += [times[2]] * int(times[1]) if times else [name]
     return found

@@ -205,6 +205,7 @@ def test_an_orbit_of_even_cycles_is_printed_and_has_no_others(run) -> None:
         ("backlash", "engaged,engaged", "one cannot follow another"),
         ("dry-friction", ",".join(["slide", "stop"] * 30), "may be meant in"),
         ("impact-two-sided", ",".join(["crossing"] * 10), "may be meant in 112 ways"),
+        ("impact", "123456 x flight", "phases: got 123456, expected 100 at most"),
         ("impact", "", "got '', expected one of flight"),
         ("impact", "mirrored", "got none, expected at least one"),
     ],
