@@ -1,6 +1,6 @@
 """Orbits beyond an event, or a place where no step succeeds, in the order of a motion there.
 
-It is not taken if its branch, followed back, comes to an event elsewhere first.
+Such an orbit is not taken if its branch, followed back, comes to an event elsewhere first.
 """
 
 from .events.locate import Found
@@ -12,7 +12,7 @@ from .place import Place
 #: Most orbits followed back to an event, about.
 FEW = 16
 
-#: How near to it an event must be, as a part of the range of the parameter.
+#: How near to that place an event must be, as a part of the range of the parameter.
 CLOSE = 1e-8
 
 
