@@ -32,7 +32,8 @@ DECAYS = 10
 #: Most phases simulated from all starts together; long ones count as several.  About 3 s.
 PHASES = 4000
 
-#: The same, where a simulation only tells what there is instead of an orbit.
+#: The same, where orbits can be listed and a simulation tells what else there is; and for each
+#: further state.
 FEW = 500
 
 #: Phases of the forcing at which motions start at rest, where those from 0 are inconclusive:
