@@ -102,8 +102,11 @@ def chart(
     columns, rows = _axes(case, axes)
     names, bounds = (columns.name, rows.name), (columns.ends, rows.ends)
     corner = _at(case, names, (columns.ends[0], rows.ends[0]))
-    tasks = [(corner.with_value(*each), names, bounds, 1) for each in rows.lines()]
-    tasks += [(corner.with_value(*each), names, bounds, 0) for each in columns.lines()]
+    tasks = [
+        (corner.with_value(*each), names, bounds, across, along.count)
+        for across, of, along in ((1, rows, columns), (0, columns, rows))
+        for each in of.lines()
+    ]
     lines: list[Line] = []
     for line in _run(executor, line_of, tasks):
         lines.append(line)

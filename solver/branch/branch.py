@@ -1,7 +1,7 @@
 """A branch of orbits along a parameter, in both directions, through all orders of phases."""
 
 from bisect import bisect
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -26,8 +26,8 @@ from .piece import Piece
 from .place import NoStepError, Place
 from .walk import FLIP, FOLD, MEETS, NEUTRAL, OWN
 
-#: Most segments in each direction.
-MOST_SEGMENTS = 60
+#: Most segments in each direction; how many ever shorter ones are seen as without end.
+MOST_SEGMENTS, DWINDLING = 60, 4
 
 #: Step from an orbit at an event to one beside it.
 ASIDE = 1e-4
@@ -171,9 +171,13 @@ def _whole(orbit: ExactOrbit) -> ExactOrbit:
 
 def go(
     branch: BothWays, start: tuple[Piece, Place], part: float = PART,
-    progress: Callable[[float], None] = lambda value: None,
+    progress: Callable[[float], None] = lambda value: None, least: float = 0.0,
 ) -> None:  # fmt: skip
-    """Follow a branch from an orbit, backward, then forward; add the segments to `branch`."""
+    """Follow a branch from an orbit, backward, then forward; add the segments to `branch`.
+
+    It ends where ever shorter segments follow each other, all shorter than the part `least` of
+    the range.
+    """
     piece, place = aside(*start)
     back = piece.place(place.y, -place.tangent)
     for segments, first in ((branch.back, back), (branch.forth, place)):
@@ -186,6 +190,9 @@ def go(
             cut_where_violated(segment)
             orbit = across(segment, part) if segment.why == NO_STEP else None
             end = segment.end
+            if end is not None and orbit is None and _dwindle(segments, least):
+                segment.why = "beyond, orders of phases last over ever shorter ranges"
+                break
             if end is not None and orbit is None:
                 orbit = beyond(end) or after(end, part)
             if end is not None and orbit is None:
@@ -197,6 +204,14 @@ def go(
             segments[-1].why = f"{MOST_SEGMENTS} sequences of phases are the most of a branch"
         if segments[-1].why == CLOSED:
             return
+
+
+def _dwindle(segments: Sequence[Segment], least: float) -> bool:
+    """Whether the last `DWINDLING` segments are ever shorter, all shorter than `least`."""
+    last = segments[-DWINDLING:]
+    widths = [segment.width for segment in last]
+    falls = all(after < before for before, after in pairwise(widths))
+    return len(last) == DWINDLING and falls and widths[0] < least
 
 
 def aside(piece: Piece, place: Place) -> tuple[Piece, Place]:

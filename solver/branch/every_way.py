@@ -31,12 +31,12 @@ Start = ExactOrbit | WithoutSwitches
 
 def every_way(
     case: Case, parameter: str, bounds: Bounds, values: int, beside: Container[str],
-    progress: Seen = lambda value: None,
+    progress: Seen = lambda value: None, least: float = 0.0,
 ) -> Iterator[BothWays]:  # fmt: skip
     """Yield the branches of all orbits that are found at so many values, each when followed.
 
     Then those that begin at events of the kinds `beside`: of twice the period at a flip, and
-    without its symmetry where an orbit loses it.
+    without its symmetry where an orbit loses it.  For `least` see `go`.
     """
     earlier: list[BothWays] = []
     for value, start in _starts(case, parameter, map(float, np.linspace(*bounds, values))):
@@ -44,12 +44,13 @@ def every_way(
             continue
         followed = BothWays(index_of(case, parameter))
         with suppress(ArithmeticError):  # it is not isolated
-            go(followed, start_of(start, followed.index, bounds), progress=progress)
+            begun = start_of(start, followed.index, bounds)
+            go(followed, begun, progress=progress, least=least)
             earlier.append(followed)
             yield followed
     met = [value for followed in earlier for value in _met(followed)]
     for followed in tuple(earlier):
-        for other in _doubled(followed, beside, met, earlier, progress):
+        for other in _doubled(followed, beside, met, earlier, progress, least):
             earlier.append(other)
             yield other
 
@@ -91,7 +92,7 @@ def motions_for_ever(case: Case) -> list[WithoutSwitches]:
 
 def _doubled(
     parent: BothWays, kinds: Container[str], met: Sequence[float], known: Sequence[BothWays],
-    progress: Seen,
+    progress: Seen, least: float,
 ) -> Iterator[BothWays]:  # fmt: skip
     """Yield the branches at the flips of another, and where symmetry is lost on it.
 
@@ -108,7 +109,7 @@ def _doubled(
             start = doubled(event)
         if start is not None and not _is_known(known, *start):
             followed = BothWays(parent.index, start[0].course)
-            go(followed, start, progress=progress)
+            go(followed, start, progress=progress, least=least)
             met += [each.value for each in followed.events()]
             yield followed
 

@@ -58,6 +58,12 @@ class Segment:
         """The event at its end at which the order of phases changes, if there is one."""
         return self.events[-1] if self.events and self.events[-1].changes else None
 
+    @property
+    def width(self) -> float:
+        """The part of the range of the parameter over which its orbits lie."""
+        values = [piece.value(place.y) for piece, place in self.points]
+        return float(np.ptp(values) / np.ptp(self.points[0][0].bounds))
+
 
 def follow(
     segment: Segment, first: tuple[Piece, Place],

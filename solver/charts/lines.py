@@ -18,6 +18,10 @@ from .plane import Bounds
 #: Values on a line at which orbits are looked for.
 VALUES = 5
 
+#: The part of a cell of the map below which ever shorter orders of phases are not followed: a
+#: cascade of impacts has any number of them.
+LEAST = 1 / 64
+
 #: What vanishes at an event: a form and where; or None and which of the monitors, counted from
 #: the last.
 Monitor = tuple[Row | None, int]
@@ -58,7 +62,9 @@ class Happening:
 Line = tuple[list[Stretch], list[Happening]]
 
 
-def line_of(case: Case, names: tuple[str, str], bounds: Bounds, across: int) -> Line:
+def line_of(
+    case: Case, names: tuple[str, str], bounds: Bounds, across: int, count: int
+) -> Line:
     """Return the orbits and the events on a line.
 
     Parameters
@@ -67,11 +73,16 @@ def line_of(case: Case, names: tuple[str, str], bounds: Bounds, across: int) -> 
         With the value of the parameter that is constant on the line.
     across : int
         The number of that parameter, 0 or 1.
+    count : int
+        How many values of the other one the map has.
     """
     along = 1 - across
     stretches: list[Stretch] = []
     happened: list[Happening] = []
-    for followed in every_way(case, names[along], bounds[along], VALUES, {"branch-point"}):
+    ways = every_way(
+        case, names[along], bounds[along], VALUES, {"branch-point"}, least=LEAST / count
+    )
+    for followed in ways:
         if followed.course is None or followed.course.cycles == case.cycles:
             stretches += _stretches(case.values[names[across]], followed, across)
             happened += _happenings(case.values[names[across]], followed, across)

@@ -84,6 +84,17 @@ def test_orbits_that_change_much_between_points_are_followed(few_lines) -> None:
     assert {name for row in chart.motion for name in row} == {"two-stops", "sliding"}
 
 
+def test_a_cascade_of_impacts_is_not_followed_to_its_end(few_lines, monkeypatch) -> None:
+    """It has orders of up to 40 impacts, each over half of the range of the one before."""
+    monkeypatch.setattr(lines, "LEAST", 1.0)
+    case = ns.scene("impact")(damping=0.05, restitution=0.7, frequency=2.8, cycles=2)
+    axes, bounds = ("frequency", "gap"), ((2.2, 3.4), (-0.2, 0.1))
+    stretches, _ = lines.line_of(case, axes, bounds, 0, 2)
+    lengths = {len(stretch.course.order.steps) for stretch in stretches}
+    assert lengths == set(range(1, max(lengths) + 1))
+    assert 4 <= max(lengths) <= 8
+
+
 def test_where_nothing_is_touched_the_motion_has_no_switches(few_lines) -> None:
     far = ns.scene("clearance")(force=0.05)
     chart = ns.chart(far, {"frequency": (0.3, 3, 4), "gap": (10, 30, 3)})
