@@ -128,6 +128,42 @@ def test_a_file_is_derived_again_when_it_or_the_program_changes(
     assert len(list(cache.iterdir())) == 3
 
 
+def test_a_file_that_reads_others_is_known_by_its_scene(tmp_path, derivations) -> None:
+    """As data in its folder may change, and a copy of it in another folder has others."""
+    data = "pathlib.Path(__file__).with_name('data').read_text()"
+    text = f"import pathlib\n{BALL.replace('0.004', f'float({data})')}"
+    for folder, value in (
+        ("one", "0.004"),
+        ("two", "0.005"),
+        ("one", "0.006"),
+        ("one", "0.006"),
+    ):
+        (tmp_path / folder).mkdir(exist_ok=True)
+        (tmp_path / folder / "data").write_text(value)
+        ns.scene(write(tmp_path / folder, text, name="ball.py"))
+    assert len(derivations) == 3
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import numpy as np",
+        "from nonsmooth import load",
+        "from .matrices import M",
+        "M = open('M')",
+        "name = __file__",
+        "exec('import numpy')",
+        "no Python",
+    ],
+)
+def test_a_text_that_reaches_out_does_not_stand_alone(line: str) -> None:
+    alone = (
+        "import math, sympy.abc\nfrom nonsmooth.scene import Scene\nfrom functools import cache"
+    )
+    assert content.stands_alone(alone.encode())
+    assert not content.stands_alone(f"{alone}\n{line}".encode())
+
+
 def test_the_hash_is_of_the_whole_symbolic_stage(tmp_path: Path) -> None:
     folder = tmp_path / "codegen"
     for name in ("a.py", "galerkin/b.py", "scenes/impact.py", "show/c.py", "note.txt"):

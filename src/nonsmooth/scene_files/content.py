@@ -1,5 +1,6 @@
 """Hashes of the inputs of kernels: a scene, and the program that derives its equations."""
 
+import ast
 import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import fields, is_dataclass
@@ -12,6 +13,44 @@ if TYPE_CHECKING:
 
 #: Folders of the symbolic stage that kernels of users' scenes do not depend on.
 OTHERS = {"scenes", "show", "printing", "__pycache__"}
+
+#: Modules that a scene file may import and be known by its text: they read no other file.
+CLOSED = {
+    "__future__", "collections", "dataclasses", "fractions", "functools", "itertools", "math",
+    "numbers", "operator", "sympy", "typing",
+}  # fmt: skip
+
+#: Names by which a text reaches what is not in it.
+OUTSIDE = {
+    "__builtins__", "__file__", "__import__", "compile", "eval", "exec", "globals", "input",
+    "open", "vars",
+}  # fmt: skip
+
+
+def stands_alone(text: bytes) -> bool:
+    """Whether the text of a scene file alone determines its scene: it reads no other file.
+
+    Examples
+    --------
+    >>> stands_alone(b"import sympy as sp"), stands_alone(b"import numpy as np")
+    (True, False)
+    """
+    try:
+        nodes = list(ast.walk(ast.parse(text)))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return not any(map(_reaches_out, nodes))
+
+
+def _reaches_out(node: ast.AST) -> bool:
+    """Whether a part of a program imports another module, or names what reads files."""
+    if isinstance(node, ast.Import):
+        return any(each.name.split(".")[0] not in CLOSED for each in node.names)
+    if isinstance(node, ast.ImportFrom):
+        module = node.module or ""
+        is_known = module == "nonsmooth.scene" or module.split(".")[0] in CLOSED
+        return node.level > 0 or not is_known
+    return isinstance(node, ast.Name) and node.id in OUTSIDE
 
 
 def key_of_text(text: bytes) -> str:

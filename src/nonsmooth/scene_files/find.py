@@ -9,7 +9,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scenes import loaded, sealed
 from nonsmooth.solver.scenes.loaded import LoadedScene
 
-from .content import key_of_scene, key_of_text
+from .content import key_of_scene, key_of_text, stands_alone
 from .error import SceneFileError, one_line
 from .read import is_path, read_scene, text_of
 from .store import keep, say, stored
@@ -51,10 +51,10 @@ def _is_scene(what: object) -> bool:
 
 def _of_file(path: Path) -> LoadedScene:
     text = text_of(path)
-    if b"Body(" in text:  # its matrices may be those of other files
-        scene = read_scene(path, text)
-        return _kept(key_of_scene(scene), lambda: scene, str(path))
-    return _kept(key_of_text(text), lambda: read_scene(path, text), str(path))
+    if stands_alone(text):
+        return _kept(key_of_text(text), lambda: read_scene(path, text), str(path))
+    scene = read_scene(path, text)
+    return _kept(key_of_scene(scene), lambda: scene, str(path))
 
 
 def _kept(key: str, make: Callable[[], Any], where: str) -> LoadedScene:
