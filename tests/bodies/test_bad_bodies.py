@@ -1,6 +1,7 @@
 """Mistakes in a body: one line each, which names the argument."""
 
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -79,6 +80,14 @@ def test_one_line_names_what_is_wrong(body: dict[str, object], words: str) -> No
         scene(**body)
     assert words in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "given", [{"ratio": np.float64(0.02)}, {"ratio": Fraction(1, 50), "modes": np.int64(2)}]
+)
+def test_numbers_of_any_type_are_plain_in_kernels(given: dict[str, object]) -> None:
+    usual, other = (ns.exact(ns.scene(scene(**q))()) for q in ({"ratio": 0.02}, given))
+    assert other.durations == usual.durations
 
 
 def test_a_law_says_what_the_force_is() -> None:

@@ -10,6 +10,8 @@ import pytest
 from saved_things import BELT, FORMS, MAKERS, needs_netcdf, saved, thing
 
 import nonsmooth as ns
+from nonsmooth.codegen.scene import SceneError
+from nonsmooth.codegen.scene.checks.names import check_free
 from nonsmooth.files import api
 
 
@@ -70,6 +72,31 @@ def test_every_cell_of_a_csv_is_below_its_heading(tmp_path: Path) -> None:
     assert float(found["t1"]) == made.durations[0]
     assert float(found["error_t1"]) == made.errors.t1
     assert (found["scene"], found["normal_force"]) == ("stick-slip", "100.0")
+
+
+def test_no_parameter_has_the_name_of_a_column(tmp_path: Path) -> None:
+    """Else its value would stand in the place of a result, or the other way round."""
+    stop = ns.scene("impact")(gap=0.1)
+    results = [
+        thing("orbit"),
+        thing("body-memory"),
+        thing("sweep"),
+        thing("family"),
+        ns.branch(stop, "gap", 0.1, 0.11),
+        ns.chart(stop, {"gap": (0.1, 0.11, 2), "force": (1.0, 1.1, 2)}),
+        ns.diagram(stop, "gap", [0.1], transient=5, cycles=1),
+        ns.basins(stop, [0.0], [0.0]),
+    ]
+    for result in results:
+        case = result.case if hasattr(result, "case") else result.orbit.case
+        table, path = result.table(), tmp_path / "result.csv"
+        names = {*table.columns, *table.about}
+        if not isinstance(result, ns.Diagram | ns.Basins):
+            ns.save(result, path)
+            names |= set(path.read_text().split("\n", 1)[0].split(","))
+        for name in names - {*case.values, "class"}:
+            with pytest.raises(SceneError, match="the name is taken by"):
+                check_free(name, name)
 
 
 @needs_netcdf

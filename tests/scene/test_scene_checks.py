@@ -313,6 +313,7 @@ TYPES = [
         lambda: with_parameter(0, default="1"),
         "parameter mass: default: got '1', expected a number",
     ),
+    (lambda: with_parameter(0, name="velocity"), "parameter velocity: the name is"),
     (lambda: with_parameter(0, default=True), "parameter mass: default: got True"),
     (lambda: with_parameter(6, most="1"), "parameter restitution: most"),
     (

@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+import numbers
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -145,8 +146,8 @@ class Body:
         contacts = {name: _contact(i, name) for i, name in enumerate(self.at)}
         object.__setattr__(self, "at", contacts)
         object.__setattr__(self, "_arrays", arrays)
-        _check_number("ratio", self.ratio, 0.0, math.inf)
-        _check_number("modes", self.modes, 1, size)
+        object.__setattr__(self, "ratio", _number("ratio", self.ratio, float, 0.0, math.inf))
+        object.__setattr__(self, "modes", _number("modes", self.modes, int, 1, size))
 
     @property
     def arrays(self) -> Mapping[str, Entries]:
@@ -254,16 +255,13 @@ def _contact(index: int, name: str) -> Contact:
     return Contact(name, *(sp.Symbol(f"{q}_{name}", real=True) for q in (x, v, a, force)))
 
 
-def _check_number(name: str, value: Any, least: float, most: float) -> None:
-    """Check the number of modes, or the damping ratio."""
+def _number(name: str, value: Any, kind: type, least: float, most: float) -> Any:
+    """Return the number of modes, or the damping ratio, as a number of a kind; or a symbol."""
     if value is None or isinstance(value, sp.Symbol):
-        return
-    plausible = name != "modes" or float(value) == int(value) if _is_number(value) else False
-    if not plausible or not least <= value <= most:
-        kind = "a number not below 0" if name == "ratio" else f"a whole number, 1 to {most}"
-        raise SceneError(f"body: {name}: got {value!r:.40}, expected {kind}, or a parameter")
-
-
-def _is_number(value: Any) -> bool:
-    number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
-    return number and math.isfinite(value)
+        return value
+    if isinstance(value, numbers.Real) and not isinstance(value, bool):
+        number: float = kind(value) if math.isfinite(value) else math.nan
+        if least <= number <= most and (kind is float or number == value):
+            return number
+    what = "a number not below 0" if name == "ratio" else f"a whole number, 1 to {most}"
+    raise SceneError(f"body: {name}: got {value!r:.40}, expected {what}, or a parameter")

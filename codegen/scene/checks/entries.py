@@ -1,5 +1,6 @@
 """The types of the fields of a scene: the first check, before all mathematics."""
 
+import numbers
 from collections.abc import Iterator, Mapping
 from itertools import chain
 from types import UnionType
@@ -82,7 +83,7 @@ def _check_parameter(q: Parameter) -> None:
         _expect(f"{field}: {name}", getattr(q, name), str, "text")
     for name in ("default", "most"):
         value = getattr(q, name)
-        number = isinstance(value, int | float | sp.Number) and not isinstance(value, bool)
+        number = isinstance(value, numbers.Real | sp.Number) and not isinstance(value, bool)
         if not number and not (name == "most" and value is None):
             raise SceneError(f"{field}: {name}: got {_shown(value)}, expected a number")
 

@@ -16,6 +16,13 @@ TAKEN = frozenset(
     )
 )
 
+#: Names of columns of tables, in which parameters stand beside results.
+_COLUMNS = re.compile(
+    r"acceleration|attractor|displacement|durations|followed|iterations|message|multipliers|"
+    r"parameter|period|phase|scene|seconds|stable|status|strobe|t|value|velocity|"
+    r"(duration|strobe)_\d+|(error|estimate|extreme|largest|least)_\w+"
+)
+
 #: Names of commands, which scenes must not have.
 COMMANDS = frozenset(
     (
@@ -46,6 +53,14 @@ def check_name(field: str, name: str) -> None:
     if not name.isidentifier():
         expected = "letters, digits and underscores, beginning with a letter"
         raise SceneError(f"{field}: got {name!r}, expected {expected}")
+
+
+def check_free(field: str, name: str) -> None:
+    """Check that a parameter has no name that options or results have; a `SceneError` if so."""
+    if name in TAKEN:
+        raise SceneError(f"{field}: the name is taken by an option of the command line")
+    if _COLUMNS.fullmatch(name):
+        raise SceneError(f"{field}: the name is taken by a column of tables of results")
 
 
 def check_called(field: str, name: str) -> None:

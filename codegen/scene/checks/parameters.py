@@ -9,7 +9,7 @@ from ..bodies.law import contacts_of, form
 from ..data import STATE_UNITS, Memory, Parameter, SceneData, forcing, v, x
 from ..error import SceneError, named
 from ..units import Dimension, balance, dimension_of, spelled, units_of
-from .names import TAKEN, check_meaning, check_name
+from .names import check_free, check_meaning, check_name
 from .phases import fields
 
 
@@ -21,8 +21,7 @@ def check_parameters(parameters: Sequence[Parameter], phases: Sequence[str]) -> 
     for q in parameters:
         field = f"parameter {q.name}"
         check_name(field, q.name)
-        if q.name in TAKEN:
-            raise SceneError(f"{field}: the name is taken by an option of the command line")
+        check_free(field, q.name)
         with named(field):
             dimension_of(q.unit)
         _check_symbol(field, q.symbol, phases)
