@@ -24,7 +24,7 @@ class Part:
     """A phase of a cell: the body under its laws, its flow, the switch that ends it.
 
     `closing` is the same switch on an orbit, and determines displacements that nothing else
-    does: see `switch.fixed`.
+    does: see `switch.fixed`; and without a forcing where on the orbit the cell begins.
     """
 
     lawful: Lawful
@@ -48,6 +48,10 @@ class Part:
 def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     """Return the phases of a cell.
 
+    Without a forcing a motion may be shifted in time.  Where the force of a contact does not
+    jump, periodicity at given durations does not determine by how much: its equations are
+    singular on the orbit.  So the last switch shifts the state to the surface of its event.
+
     Raises
     ------
     BodyError
@@ -56,6 +60,8 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     laws = [lawful(cell, p) for p in range(len(cell.phases))]
     switches = [switch(cell, p, law.rows) for p, law in enumerate(laws)]
     closing = fixed(switches, *shifts(cell))
+    if not cell.forced:
+        closing[-1] = closing[-1].fixing(*[closing[-1].gradient[:, None]] * 2)
     return tuple(map(Part, laws, switches, closing, [cell.omega] * len(laws)))
 
 

@@ -146,7 +146,7 @@ def poles_of(body: Modal, omega: float, hold: bool = False) -> Poles:
         contact sees.
     """
     hold = hold or bool((body.squares == 0).any())
-    held = _held(body, omega) if hold else None
+    held = held_by(body, omega) if hold else None
     is_closed = held is None and body.is_proportional
     poles = _of_modes(body) if is_closed else _of_states(body, omega, held)
     try:
@@ -178,7 +178,7 @@ def _answer(body: Modal, omega: float, held: Held | None) -> Complex:
     return np.asarray(np.linalg.solve(rows, forcing))
 
 
-def _held(body: Modal, omega: float) -> Held:
+def held_by(body: Modal, omega: float) -> Held:
     """Return auxiliary springs and dampers, at the frequency of the forcing or of the body."""
     rate = omega or float(np.sqrt(np.abs(body.squares).mean())) or 1.0
     mass = 1 / np.diag(body.mobility)

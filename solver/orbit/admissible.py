@@ -31,7 +31,7 @@ OF_TERMS = 1e-13
 #: computed duration is a rounding error of either sign.
 SHORTEST = 1e-10
 
-#: Duration, relative to the cell, below which the effect of rounding on it is estimated.
+#: Duration, relative to the same, below which the effect of rounding on it is estimated.
 SHORT = 1e-6
 
 #: Largest displacement or velocity that is said to be 0, relative to that of the motion.
@@ -86,11 +86,10 @@ def violations(
     """
     durations = orbit.cell_durations
     total, unit = float(np.sum(durations)), orbit.case.units.time
-    long = total if orbit.cell.forced else max(total, 1.0)
     reasons = [
         f"{phase.name} lasts {s * unit:.6g} s of {total * unit:.6g} s: it has no duration"
         for phase, s in zip(orbit.cell.phases, durations, strict=True)
-        if not s > SHORTEST * long > 0
+        if not s > SHORTEST * _long(orbit) > 0
     ]
     if reasons or not np.isfinite(durations).all():
         return tuple(reasons) or ("the durations are not finite",)
@@ -111,10 +110,16 @@ def violations(
     return tuple(reasons) or _repeated(orbit)
 
 
+def _long(orbit: Motion) -> float:
+    """Return a duration that is not short, without units: of the cell or, unforced, of 1."""
+    total = float(orbit.cell_durations.sum())
+    return total if orbit.cell.forced else max(total, 1.0)
+
+
 def _undetermined(orbit: Motion) -> tuple[str, ...]:
     """Return which phases are so short that their duration may be a rounding error."""
     durations, unit = orbit.cell_durations, orbit.case.units.time
-    if durations.min() > SHORT * durations.sum():
+    if durations.min() > SHORT * _long(orbit):
         return ()
     unknown = UNKNOWN_OF_BODY if orbit.case.scene.has_body else UNKNOWN
     with np.errstate(all="ignore"):

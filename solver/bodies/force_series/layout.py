@@ -8,7 +8,7 @@ import numpy as np
 from ...arrays import Complex, Integers, Matrix, Vector
 from ..laws import added, law_matrix, lawful, places
 from ..part import shifts
-from ..poles import Forms, Poles, poles_of
+from ..poles import Forms, Poles, held_by, poles_of
 from ..switch import impulses, switch
 from ..systems import BodyError
 
@@ -107,6 +107,8 @@ class Layout:
         for p, phase in enumerate(self.phases):
             if varies[p * contacts : (p + 1) * contacts].any():
                 phase.degree, phase.pieces = _pieces(order)
+            elif phase.fixing.any():  # a constant force all the time would move nothing
+                phase.degree = 1
             for piece in range(1, 1 + phase.pieces):
                 pieces.append((p, at, piece == phase.pieces))
                 at += (phase.degree + 1) * contacts
@@ -266,18 +268,20 @@ def setting(cell: "BodyCell", order: int) -> Setting:
 def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
     """Return spring forces at the contacts, per unit of the event at the end of a phase.
 
-    They determine displacements that nothing else does, and are 0 on an orbit; see
-    `switch.fixed`.  They are added to the constant and the linear terms of the laws: a constant
+    They determine displacements that nothing else does, and without a forcing the begin of a
+    motion that may be shifted in time, and are 0 on an orbit; see `parts_of`.  They are added to the constant and the linear terms of the laws: a constant
     alone does no work on a motion with the same velocities out and back.
     """
-    springs, directions = np.zeros(poles.b.shape[1]), shifts(cell)[0]
+    directions, rows = shifts(cell)[0], lawful(cell, p).rows
+    event = switch(cell, p, rows).gradient
+    springs, moved = held_by(cell.body, cell.omega).springs, np.zeros(poles.b.shape[1])
+    places_ = rows[places(len(springs))[0], : 2 * len(cell.body.squares)]
     if directions.size and poles.held is not None:
-        rows = lawful(cell, p).rows
-        event = switch(cell, p, rows).gradient @ directions
-        places_ = rows[places(len(springs))[0], : 2 * len(cell.body.squares)]
-        moved = places_ @ directions[: places_.shape[1]] @ np.linalg.pinv(event[None])
-        springs = poles.held.springs * moved[:, 0]
-    return springs
+        by_event = places_ @ directions[: places_.shape[1]]
+        moved += (by_event @ np.linalg.pinv((event @ directions)[None]))[:, 0]
+    if not cell.forced and p == len(cell.phases) - 1:
+        moved += np.linalg.norm(places_, axis=1) / np.linalg.norm(event)
+    return springs * moved
 
 
 def _pieces(order: int) -> tuple[int, int]:
