@@ -11,12 +11,7 @@ from ..scene.scales import scales
 from ..scene.smoothness import place
 from ..system import Equation
 from . import bodies
-from .conditions.functions import (
-    T,
-    state,
-    t,
-    x,
-)
+from .conditions.functions import T, state, t, x
 from .notation import Notation
 from .switching import (
     at_state,

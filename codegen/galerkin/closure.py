@@ -71,10 +71,7 @@ def differentiated(
 
 
 def joints(
-    scene: Scene,
-    switches: Sequence[Switch],
-    start: End,
-    end: End,
+    scene: Scene, switches: Sequence[Switch], start: End, end: End
 ) -> Iterator[Condition]:
     """Yield continuity of displacement, the law of the velocity, and smoothness up to C^k."""
     for p, switch in enumerate(switches):

@@ -17,12 +17,7 @@ from ...galerkin.legendre import l
 from ...scene import LinearPhase
 from ...system import Equation, Inner
 from ..notation import Notation
-from .functions import (
-    member,
-    omega_0,
-    t,
-    u,
-)
+from .functions import member, omega_0, t, u
 
 _n = sp.Symbol("n", integer=True, nonnegative=True)
 

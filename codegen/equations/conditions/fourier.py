@@ -7,27 +7,12 @@ import sympy as sp
 
 from ...galerkin import Condition, GalerkinConditions
 from ...galerkin.condition import N
-from ...galerkin.harmonics import (
-    Harmonics,
-    a,
-    a0,
-    b,
-    equations,
-    j,
-    n,
-)
+from ...galerkin.harmonics import Harmonics, a, a0, b, equations, j, n
 from ...system import Equation, Inner
 from ..tidy import by_unknown
 from .breaks import Breaks
 from .family import Family
-from .functions import (
-    R,
-    Rate,
-    T,
-    omega_0,
-    t,
-    x,
-)
+from .functions import R, Rate, T, omega_0, t, x
 from .one_function import OneFunction
 from .overlaps import Overlaps
 

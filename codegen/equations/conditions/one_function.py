@@ -12,12 +12,7 @@ from ...galerkin.legendre import l
 from ...scene import LinearPhase
 from ...system import Equation, Inner
 from ..notation import Notation
-from .functions import (
-    T,
-    omega_0,
-    t,
-    u,
-)
+from .functions import T, omega_0, t, u
 
 #: The function, and its residual.
 G, q = sp.Function("G")(t), sp.Function("q")(t)

@@ -10,12 +10,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ...galerkin.harmonics import (
-    POWERS,
-    Harmonics,
-    j,
-    n,
-)
+from ...galerkin.harmonics import POWERS, Harmonics, j, n
 from ...galerkin.legendre import l
 from ...system import Equation
 from ..notation import Notation

@@ -7,35 +7,13 @@ from importlib import import_module
 import sympy as sp
 
 from ...galerkin import Condition, GalerkinConditions, polynomials
-from ...galerkin.legendre import (
-    Moments,
-    l,
-    n,
-    repeated_integral,
-)
-from ...galerkin.polynomials import (
-    Rest,
-    Test,
-    moments,
-    series,
-)
+from ...galerkin.legendre import Moments, l, n, repeated_integral
+from ...galerkin.polynomials import Rest, Test, moments, series
 from ...scene import linear_phase
-from ...system import (
-    Equation,
-    Inner,
-    ShiftedLegendre,
-    TwiceIntegrated,
-)
+from ...system import Equation, Inner, ShiftedLegendre, TwiceIntegrated
 from ..tidy import by_entries, by_unknown
 from .family import Family
-from .functions import (
-    R,
-    Rate,
-    member,
-    t,
-    u,
-    x,
-)
+from .functions import R, Rate, member, t, u, x
 
 #: Equation numbers of the paper; those but (18) are for functions of class C^1.
 NUMBERS = {"acceleration": "15", "expansion": "16", "residual": "17", "tests": "18"}
