@@ -3,50 +3,23 @@
 For the paper's scene also its equation numbers.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cached_property
-
 import sympy as sp
 
 from ..galerkin import Times
 from ..galerkin.bodies.contacts import Contacts
-from ..scene import Scene, Switch, saltations, switches
+from ..scene import Scene, switches
 from ..scene.bodies.law import contacts_of
 from ..scenes import numbers_of
 from .conditions.functions import T, omega_0, state
 
 
-@dataclass(frozen=True)
 class Notation:
-    """Symbols of a scene for times, derivatives and forces.
+    """Symbols of a scene for times, derivatives and forces."""
 
-    Parameters
-    ----------
-    scene : Scene
-    times : Times
-    switches : tuple of Switch
-        Its switches, that at the begin of the first phase first.
-    """
-
-    scene: Scene
-    times: Times
-    switches: tuple[Switch, ...]
-
-    @classmethod
-    def of(cls, scene: Scene) -> "Notation":
-        """Return the notation of a scene."""
-        return cls(scene, Times.of(scene), switches(scene))
-
-    @cached_property
-    def saltations(self) -> tuple[sp.Matrix, ...]:
-        """The saltation matrix of the switch at the end of each phase."""
-        return saltations(self.scene)
-
-    @cached_property
-    def numbers(self) -> Mapping[str, str]:
-        """Equation numbers of the paper by names of rows; see `scenes.numbers_of`."""
-        return numbers_of(self.scene)
+    def __init__(self, scene: Scene) -> None:
+        self.scene, self.times, self.switches = scene, Times.of(scene), switches(scene)
+        #: Equation numbers of the paper by names of rows; see `scenes.numbers_of`.
+        self.numbers = numbers_of(scene)
 
     @property
     def cell(self) -> sp.Expr:

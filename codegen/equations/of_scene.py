@@ -48,7 +48,7 @@ def scene_equations(scene: Scene) -> tuple[Equation, ...]:
         -  law at tip in contact; 0 <= t < t1
            k_c*x(t) + f(t) = g*k_c
     """
-    notation = Notation.of(scene)
+    notation = Notation(scene)
     parts = [_phases, _switches, _classes, whole_motion]
     if scene.body is not None:
         parts = [bodies.of_the_body, _phases, bodies.rate, _switches, whole_motion]

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 
 import sympy as sp
 
-from ..scene import Memory, forcing, linear_phase, saltation, v, x
+from ..scene import Memory, forcing, linear_phase, saltation, saltations, v, x
 from ..scene.smoothness import generator, known_rows
 from .conditions.functions import Rate, state, t
 from .notation import Notation
@@ -102,7 +102,7 @@ def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Ex
     }
     if frequency is not None:
         values[saltation.turning] = -frequency * sp.sin(angle)
-    matrix = notation.saltations[p].subs(values, simultaneous=True)
+    matrix = saltations(notation.scene)[p].subs(values, simultaneous=True)
     components = [*PERTURBATIONS, *_of_memory(notation)]
     for (name, perturbation), row in zip(components, matrix.tolist(), strict=True):
         terms = (entry * q(sides["-"]) for entry, (_, q) in zip(row, components, strict=True))

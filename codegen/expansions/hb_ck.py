@@ -15,7 +15,7 @@ with the polynomials of Bernoulli and Euler; the jump is 1 by u, and
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import sympy as sp
@@ -24,7 +24,7 @@ from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.bodies import harmonics as of_forces
 from ..galerkin.condition import BodyConditions
 from ..galerkin.harmonics import Harmonics, j
-from ..scene import Scene, Switch, switches
+from ..scene import Scene, switches
 from . import About, hb
 
 METHOD = "hb-ck"
@@ -36,20 +36,12 @@ ABOUT = About(place=3, power=True, colour="#D55E00", marker="s", line=(0, (6, 2,
 FUNCTIONS = (1, 2, 3)
 
 
-@dataclass(frozen=True)
 class Expansion:
-    """The pieces of the expansion for one scene."""
+    """The pieces of the expansion for one scene, with a number of functions a switch."""
 
-    scene: Scene
-    times: Times
-    switches: tuple[Switch, ...]
-    harmonics: Harmonics
-    functions: int
-
-    @classmethod
-    def of(cls, scene: Scene, functions: int) -> "Expansion":
-        """Return the expansion with this number of functions a switch."""
-        return cls(scene, Times.of(scene), switches(scene), Harmonics.of(scene), functions)
+    def __init__(self, scene: Scene, functions: int) -> None:
+        self.scene, self.functions, self.switches = scene, functions, switches(scene)
+        self.times, self.harmonics = Times.of(scene), Harmonics.of(scene)
 
     def orders(self, p: int) -> range:
         """Return the n of the functions ``beta_n`` with a break at switch `p`."""
@@ -112,7 +104,7 @@ def jumps(e: Expansion) -> Iterator[Condition]:
 
 def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
     """Return the conditions of a scene with this number of functions a switch."""
-    e = Expansion.of(scene, functions)
+    e = Expansion(scene, functions)
     rows = (
         *orthogonality(e),
         *jumps(e),

@@ -8,7 +8,7 @@ for from the event, and the law of the switch is differentiated: no result is ty
 
 import sympy as sp
 
-from .data import Memory, Phase, SceneData, forcing, v, x
+from .data import Memory, Phase, SceneData, forcing, once, v, x
 from .linear import state_row
 from .smoothness import switches
 
@@ -19,6 +19,7 @@ STATE = (x, v)
 before, after, turning = sp.symbols("a_before a_after turning", real=True)
 
 
+@once
 def saltations(scene: SceneData) -> tuple[sp.Matrix, ...]:
     """Return the saltation matrix at the end of each phase of a cell; see `saltation`.
 

@@ -6,7 +6,7 @@ polynomials, and the residual ``r_n(t)`` of each.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from typing import ClassVar
 
 import sympy as sp
 
@@ -22,36 +22,21 @@ from .functions import member, omega_0, t, u
 _n = sp.Symbol("n", integer=True, nonnegative=True)
 
 
-@dataclass(frozen=True)
 class Breaks:
-    """The functions with a break in some conditions, if any.
+    """The functions with a break whose coefficients are unknowns of conditions, if any."""
 
-    Parameters
-    ----------
-    notation : Notation
-    orders : tuple of (int, int)
-        The switch and the n of each function.
-    """
+    #: Further test functions of the residual: none.
+    tests: ClassVar[dict[str, sp.Expr]] = {}
 
-    notation: Notation
-    orders: tuple[tuple[int, int], ...]
-
-    @classmethod
-    def of(cls, conditions: GalerkinConditions, notation: Notation) -> "Breaks":
-        """Return the functions with a break whose coefficients are unknowns of conditions."""
+    def __init__(self, conditions: GalerkinConditions, notation: Notation) -> None:
         symbols = {block.symbol for block in conditions.blocks}
-        possible = hb_ck.Expansion.of(conditions.scene, len(symbols))
-        return cls(notation, tuple((p, n) for p, n, c in possible.all() if c in symbols))
-
-    @property
-    def numbers(self) -> dict[str, str]:
-        """Equation numbers of the paper, which has the series without functions."""
-        return {"expansion": "" if self.orders else "3", "residual": "" if self.orders else "4"}
-
-    @property
-    def tests(self) -> dict[str, sp.Expr]:
-        """Further test functions of the residual: none."""
-        return {}
+        possible = hb_ck.Expansion(conditions.scene, len(symbols))
+        self.notation = notation
+        #: The switch and the n of each function.
+        self.orders = tuple((p, n) for p, n, c in possible.all() if c in symbols)
+        #: Equation numbers of the paper, which has the series without functions.
+        expansion, residual = ("", "") if self.orders else ("3", "4")
+        self.numbers = {"expansion": expansion, "residual": residual}
 
     def _word(self, p: int) -> str:
         """Return the name of the phase that begins at switch `p`."""

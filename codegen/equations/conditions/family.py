@@ -23,7 +23,7 @@ class Family(ABC):
 
     def __init__(self, conditions: GalerkinConditions) -> None:
         self.conditions, self.scene = conditions, conditions.scene
-        self.notation = Notation.of(conditions.scene)
+        self.notation = Notation(conditions.scene)
 
     @staticmethod
     @abstractmethod

@@ -26,11 +26,11 @@ class Fourier(Family):
     def __init__(self, conditions: GalerkinConditions) -> None:
         super().__init__(conditions)
         self.harmonics = Harmonics.of(conditions.scene)
-        self.overlaps = Overlaps.of(self.notation, self.harmonics)
+        self.overlaps = Overlaps(self.notation, self.harmonics)
         self.beside: Breaks | OneFunction = (
             OneFunction(self.notation)
             if OneFunction.is_in(conditions)
-            else Breaks.of(conditions, self.notation)
+            else Breaks(conditions, self.notation)
         )
         self.section = SECTIONS[self.beside.expansion() != 0]
 

@@ -5,8 +5,7 @@ is split: the weight of one phase over the whole cell, where harmonics are ortho
 differences of the other weights from it over their phases, ``C_l`` and ``S_l`` as in the paper.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
@@ -18,32 +17,17 @@ from ..tidy import SAME
 from .functions import omega_0, t
 
 
-@dataclass(frozen=True)
 class Overlaps:
-    """The integrals of the harmonics of a scene.
+    """The integrals of the harmonics of a scene."""
 
-    Parameters
-    ----------
-    notation : Notation
-    weights : mapping of str to tuple
-        Each coefficient of the equation of motion, on each phase.
-    base : int
-        The phase whose weights are taken over the whole cell, the one with the simplest.
-    """
-
-    notation: Notation
-    weights: Mapping[str, tuple[sp.Expr, ...]]
-    base: int
-
-    @classmethod
-    def of(cls, notation: Notation, harmonics: Harmonics) -> "Overlaps":
-        """Return the integrals of the harmonics of a scene."""
-        weights = harmonics.weights
+    def __init__(self, notation: Notation, harmonics: Harmonics) -> None:
+        self.notation, self.weights = notation, harmonics.weights
         sizes = [
             sum(sp.count_ops(w) + (w != 0) for w in of_phase)
-            for of_phase in zip(*weights.values(), strict=True)
+            for of_phase in zip(*self.weights.values(), strict=True)
         ]
-        return cls(notation, weights, sizes.index(min(sizes)))
+        #: The phase whose weights are taken over the whole cell, the one with the simplest.
+        self.base = sizes.index(min(sizes))
 
     def spelled(self, expression: sp.Expr) -> sp.Expr:
         """Return an expression with tables of the cell written in those of phases."""
