@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from ..galerkin.bodies.contacts import RATE, Contacts
-from ..scene.bodies.law import body_of, laws
+from ..scene.bodies.law import body_of
 from ..system import Equation
 from .conditions.functions import state, t
 from .notation import Notation
@@ -41,7 +41,7 @@ def of_the_body(notation: Notation) -> Iterator[Equation]:
 def laws_of(notation: Notation, p: int) -> Iterator[Equation]:
     """Yield the law of each contact in phase `p`."""
     phase = notation.scene.cell[p]
-    for name, law in zip(body_of(notation.scene).at, laws(phase), strict=True):
+    for name, law in zip(body_of(notation.scene).at, phase.laws, strict=True):
         left, right, _ = balanced(at_state(notation, law, t))
         yield Equation("", f"law at {name} in {phase.name}", (left, right), notation.during(p))
 

@@ -8,7 +8,6 @@ import sympy as sp
 from ..galerkin import Times
 from ..galerkin.bodies.contacts import Contacts
 from ..scene import Scene, switches
-from ..scene.bodies.law import contacts_of
 from ..scenes import numbers_of
 from .conditions.functions import T, omega_0, state
 
@@ -52,7 +51,7 @@ class Notation:
         """Return a derivative of the displacement of contact `c`, which is x for the first."""
         if c == 0:
             return state(order, time)
-        name = contacts_of(self.scene)[c].x.name
+        name = self.scene.contacts[c].x.name
         return sp.Function(name + "'" * order)(time)
 
     def force(self, c: int, time: sp.Expr) -> sp.Expr:

@@ -131,7 +131,7 @@ def at_state(
         derivative_at = derivative or (lambda order: state(order, time))
         values |= {x: derivative_at(0), v: derivative_at(1)}
     else:
-        for c, contact in enumerate(notation.scene.body.at.values()):
+        for c, contact in enumerate(notation.scene.contacts):
             for order, symbol in enumerate((contact.x, contact.v, contact.a)):
                 values[symbol] = notation.displacement(c, order, time)
             values[contact.force] = notation.force(c, time)

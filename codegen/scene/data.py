@@ -10,7 +10,7 @@ import sympy as sp
 from .memories import behind, settings
 
 if TYPE_CHECKING:
-    from .bodies.body import Body
+    from .bodies.body import Body, Contact
 
 t, x, v, a = sp.symbols("t x v a", real=True)
 
@@ -119,6 +119,12 @@ class Phase:
     held: sp.Expr | None = None
 
     @property
+    def laws(self) -> tuple[sp.Expr, ...]:
+        """The equation, or the laws of a body, one for each contact."""
+        equation = self.equation
+        return tuple(equation) if isinstance(equation, tuple | list) else (equation,)
+
+    @property
     def each_end(self) -> tuple["Phase", ...]:
         """The phase with each of the events that may end it alone: ``slip``, ``slip_by_2``."""
         first, *others = self.ends.each
@@ -183,6 +189,11 @@ class SceneData:
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The symbols of the parameters, in their order."""
         return tuple(parameter.symbol for parameter in self.parameters)
+
+    @property
+    def contacts(self) -> "tuple[Contact, ...]":
+        """The contacts of its body; one mass has none."""
+        return () if self.body is None else tuple(self.body.at.values())
 
     @property
     def sign(self) -> int:

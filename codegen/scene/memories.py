@@ -88,13 +88,12 @@ def behind(
     ValueError
         If that law does not say what the forces are.
     """
-    expression, body = sp.sympify(memory.value), scene.body
-    forces = [] if body is None else [contact.force for contact in body.at.values()]
+    expression = sp.sympify(memory.value)
+    forces = [contact.force for contact in scene.contacts]
     if not expression.has(*forces):
         return expression
     before = phases[p - 1]
-    laws = before.equation if isinstance(before.equation, tuple | list) else (before.equation,)
-    solutions = [*sp.linsolve(laws, forces)]
+    solutions = [*sp.linsolve(before.laws, forces)]
     if not solutions or any(force.has(*forces) for force in solutions[0]):
         what = f"no force follows from the law of {before.name}"
         raise ValueError(f"memory {memory.symbol}: {what}")

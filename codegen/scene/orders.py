@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import sympy as sp
 
 from ...nearest import at_length, numbered, one_of
-from .bodies.law import contacts_of, laws, velocities
+from .bodies.law import velocities
 from .data import Memory, Phase, SceneData, a, forcing, once, v, with_values, x
 from .error import SceneError
 from .memories import behind, settings
@@ -197,7 +197,7 @@ def _begins_mirrored(every: AllPhases, steps: Sequence[Place], p: int, half: boo
     (q, minus), (before, mirrored) = steps[p], steps[p - 1]
     behind = [turned for after, turned in every.followers(before) if after == q]
     phase = every.scene.phases[q]
-    images = zip(laws(phase), laws(_mirrored(phase, every.scene)), strict=True)
+    images = zip(phase.laws, _mirrored(phase, every.scene).laws, strict=True)
     if not behind or any(sp.expand(a - b) for a, b in images):
         return minus
     return mirrored != ((p == 0 and half) != behind[0])
@@ -219,7 +219,7 @@ def _is_declared(every: AllPhases, steps: Sequence[Place], p: int, half: bool) -
 def _image(scene: SceneData) -> dict[sp.Symbol, sp.Expr]:
     """Return the state of the motion ``-x``, half a period of the forcing later, by symbols."""
     state = [x, v, a, forcing, *(each.symbol for each in scene.memory)]
-    state += [q for contact in contacts_of(scene) for q in contact.symbols]
+    state += [q for contact in scene.contacts for q in contact.symbols]
     return {symbol: -symbol for symbol in state}
 
 
@@ -230,7 +230,7 @@ def _mirrored(phase: Phase, scene: SceneData) -> Phase:
     of_mass = scene.body is None
     return replace(
         mirrored,
-        equation=-mirrored.equation if of_mass else tuple(-law for law in laws(mirrored)),
+        equation=-mirrored.equation if of_mass else tuple(-law for law in mirrored.laws),
         ends=replace(
             mirrored.ends,
             jump={q: -sp.sympify(law).subs(image) for q, law in mirrored.ends.jump.items()},
@@ -266,7 +266,7 @@ def _alike(one: Phase, other: Phase, scene: SceneData) -> bool:
 
     def said(phase: Phase, sign: int) -> sp.Matrix:
         behind = [phase.ends.jump.get(q, q) for q in velocities(scene)]
-        return sp.Matrix([*laws(phase), phase.held or 0, *behind, sign * phase.ends.zero])
+        return sp.Matrix([*phase.laws, phase.held or 0, *behind, sign * phase.ends.zero])
 
     return any((said(one, 1) - said(other, sign)).expand().is_zero_matrix for sign in (1, -1))
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...scene import Scene, switches
 from ...scene.bodies.body import Contact
-from ...scene.bodies.law import body_of, contacts_of, form, law_rows, place
+from ...scene.bodies.law import body_of, form, law_rows, place
 from ..condition import Times
 
 #: The index of a pole, and the number of poles, one of each complex pair.
@@ -34,7 +34,7 @@ class Contacts:
     @cached_property
     def each(self) -> tuple[Contact, ...]:
         """The contacts."""
-        return contacts_of(self.scene)
+        return self.scene.contacts
 
     def name(self, letter: str, *which: int, word: str = "") -> str:
         """Return a letter with the names of contacts, if there are several, and a word."""

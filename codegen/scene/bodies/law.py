@@ -14,7 +14,7 @@ from sympy.polys.matrices import DomainMatrix
 from ..data import Phase, SceneData, forcing, v, x
 from ..error import SceneError
 from ..linear import parts, state_row
-from .body import Body, Contact
+from .body import Body
 
 #: Number of derivatives of the force that are checked for jumps.
 HIGHEST = 6
@@ -26,21 +26,16 @@ def body_of(scene: SceneData) -> Body:
     return scene.body
 
 
-def contacts_of(scene: SceneData) -> tuple[Contact, ...]:
-    """Return the contacts of the body of a scene; one mass has none."""
-    return () if scene.body is None else tuple(scene.body.at.values())
-
-
 def velocities(scene: SceneData) -> tuple[sp.Symbol, ...]:
     """Return the velocities that may jump: of each contact, or of the mass."""
-    return tuple(contact.v for contact in contacts_of(scene)) or (v,)
+    return tuple(contact.v for contact in scene.contacts) or (v,)
 
 
 def signals(scene: SceneData) -> tuple[sp.Symbol | sp.Integer, ...]:
     """Return the symbols of which forms are linear combinations, without the memories."""
     if scene.body is None:
         return x, v, forcing, sp.Integer(1)
-    first, *others = contacts_of(scene)
+    first, *others = scene.contacts
     further = (symbol for contact in others for symbol in contact.symbols)
     return (first.x, first.v, forcing, sp.Integer(1), first.force, first.a, *further)
 
@@ -65,12 +60,6 @@ def form(
     return (*factors[:3], constant, *factors[3:])
 
 
-def laws(phase: Phase) -> tuple[sp.Expr, ...]:
-    """Return the laws of a phase, one for each contact."""
-    equation = phase.equation
-    return tuple(equation) if isinstance(equation, tuple | list) else (equation,)
-
-
 def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
     """Return the laws of a phase as linear forms, one for each contact.
 
@@ -79,8 +68,8 @@ def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
     SceneError
         If the numbers of laws and contacts differ, or a law has neither force nor acceleration.
     """
-    field, equations = f"phase {phase.name}: equation", laws(phase)
-    contacts = contacts_of(scene)
+    field, equations = f"phase {phase.name}: equation", phase.laws
+    contacts = scene.contacts
     if len(equations) != len(contacts):
         raise SceneError(f"{field}: got {len(equations)} laws for {len(contacts)} contacts")
     rows = [form(law, scene, field) for law in equations]
@@ -129,7 +118,7 @@ def contact_class(
 
 def _tail(scene: SceneData) -> int:
     """Return the number of columns of x and forces; cos, sin, 1 and memories follow."""
-    return len(contacts_of(scene)) * 3 * (HIGHEST + 3)
+    return len(scene.contacts) * 3 * (HIGHEST + 3)
 
 
 def _zeros(scene: SceneData) -> list[sp.Expr]:
@@ -142,7 +131,7 @@ def _row(
 ) -> list[sp.Expr]:
     """Return derivative `order` of a form by time; forces are unknowns, on either side."""
     row, tail, omega = _zeros(scene), _tail(scene), scene.frequency or sp.Integer(0)
-    for i, contact in enumerate(contacts_of(scene)):
+    for i, contact in enumerate(scene.contacts):
         base = 3 * (HIGHEST + 3) * i
         for shift, symbol in ((0, contact.x), (1, contact.v), (2, contact.a)):
             row[base + order + shift] += factors[place(scene, symbol)]
@@ -162,7 +151,7 @@ def _forces(
 ) -> list[list[sp.Expr]]:
     """Return a derivative of each contact force of a phase; that of a held one is unknown."""
     rows = []
-    for contact, row in zip(contacts_of(scene), law_rows(phase, scene), strict=True):
+    for contact, row in zip(scene.contacts, law_rows(phase, scene), strict=True):
         at = place(scene, contact.force)
         factor = row[at]
         if factor == 0:
@@ -177,7 +166,7 @@ def _known(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[
     """Return the rows that vanish at a switch, in the signs of its right side."""
     event = form(left.ends.zero, scene, f"phase {left.name}: ends")
     rows = [[sign * q for q in _row(scene, event, 0, sign, "before")]]
-    places, tail = [place(scene, contact.force) for contact in contacts_of(scene)], _tail(scene)
+    places, tail = [place(scene, contact.force) for contact in scene.contacts], _tail(scene)
     forces = _forces(scene, left, 0, sign, "before")
     for at, law, force_row in zip(places, law_rows(left, scene), forces, strict=True):
         if all(law[q] == 0 for q in places):

@@ -10,7 +10,6 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from ..bodies.body import Body
-from ..bodies.law import laws
 from ..data import Event, Memory, Parameter, Phase, SceneData
 from ..error import INSTEAD, SceneError, named
 
@@ -91,7 +90,7 @@ def _check_parameter(q: Parameter) -> None:
 def _check_phase(phase: Phase, of_body: bool) -> None:
     _expect("phase: name", phase.name, str, "text")
     field = f"phase {phase.name}"
-    for equation in laws(phase) if of_body else (phase.equation,):
+    for equation in phase.laws if of_body else (phase.equation,):
         _check_expression(f"{field}: equation", equation)
     _expect(f"{field}: ends", phase.ends, Event, "an Event")
     for other in _several(f"{field}: ends", phase.ends.others):

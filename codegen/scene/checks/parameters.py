@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
-from ..bodies.law import contacts_of, form
+from ..bodies.law import form
 from ..data import STATE_UNITS, Memory, Parameter, SceneData, forcing, v, x
 from ..error import SceneError, named
 from ..units import Dimension, balance, dimension_of, spelled, units_of
@@ -91,7 +91,7 @@ def check_several(scene: SceneData) -> None:
     phases = [phase for order in scene.declared.values() for phase in order]
     names = list(dict.fromkeys(phase.name for phase in phases))
     several = {phase.name for phase in phases if phase.ends.others}
-    forces = [contact.force for contact in contacts_of(scene)]
+    forces = [contact.force for contact in scene.contacts]
     for memory in scene.memory:
         field, value = f"memory {memory.symbol}", sp.sympify(memory.value)
         if isinstance(memory.at, str):
@@ -133,7 +133,7 @@ def _unit_of(
     memory: Memory, scene: SceneData, units: Mapping[sp.Symbol, Dimension]
 ) -> Dimension:
     value = sp.sympify(memory.value)
-    states = {q for contact in contacts_of(scene) for q in (contact.x, contact.v)} or {x, v}
+    states = {q for contact in scene.contacts for q in (contact.x, contact.v)} or {x, v}
     allowed = {*states, forcing, *(q.symbol for q in scene.parameters)}
     if value.free_symbols & ({*units} - allowed):
         raise SceneError(f"got {value}, expected x, v, forcing and parameters")

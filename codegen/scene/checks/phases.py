@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from ..bodies.law import contacts_of, form, law_rows, laws, place, signals, velocities
+from ..bodies.law import form, law_rows, place, signals, velocities
 from ..data import Phase, SceneData, a, forcing, v, x
 from ..error import SceneError, check_kind, named
 from ..linear import fixed, linear_phase, without_modulus
@@ -55,7 +55,7 @@ def check_phase(phase: Phase, scene: SceneData, units: Units) -> None:
 
 def _check_forces(phase: Phase, scene: SceneData) -> None:
     """Check that the laws of a phase that is not held say what the contact forces are."""
-    pairs = zip(contacts_of(scene), law_rows(phase, scene), strict=True)
+    pairs = zip(scene.contacts, law_rows(phase, scene), strict=True)
     if phase.held is None and any(row[place(scene, q.force)] == 0 for q, row in pairs):
         raise SceneError("it has no force: say the speed at which it is held")
 
@@ -63,7 +63,7 @@ def _check_forces(phase: Phase, scene: SceneData) -> None:
 def _check_held(phase: Phase, scene: SceneData, units: Units) -> None:
     """Check that a constraint prescribes the velocity, and the equation says no more."""
     memory = [q.symbol for q in scene.memory]
-    if len(contacts_of(scene)) > 1:
+    if len(scene.contacts) > 1:
         raise SceneError("a body with several contacts cannot be held yet")
     if scene.body is None:
         others = linear_phase(phase, memory).coefficients[1:]
@@ -96,7 +96,7 @@ def checked_fields(
 
 def fields(phase: Phase) -> Iterator[tuple[str, sp.Expr]]:
     """Yield the expressions of a phase, by field, except the velocity at which it is held."""
-    yield from (("equation", law) for law in laws(phase))
+    yield from (("equation", law) for law in phase.laws)
     yield "ends", phase.ends.zero
     yield from (("jump", value) for value in phase.ends.jump.values())
     for field, demands in (("demand", phase.demands), ("ends: demand", phase.ends.demands)):

@@ -5,7 +5,6 @@ from collections.abc import Iterable, Mapping
 import sympy as sp
 
 from ....nearest import one_of
-from ..bodies.law import laws
 from ..data import STATE_UNITS, SceneData, forcing, v, x
 from ..error import SceneError, named
 from ..orders import all_phases
@@ -190,7 +189,7 @@ def _check_used(scene: SceneData) -> None:
     """Check that every parameter and memory, and the forcing, occurs somewhere."""
     listed = (scene.phases, *scene.motions.values())
     phases = [end for phases in listed for phase in phases for end in phase.each_end]
-    driven = [e for phase in phases for e in (*laws(phase), phase.ends.zero)]
+    driven = [e for phase in phases for e in (*phase.laws, phase.ends.zero)]
     driven += [forcing] if scene.body is not None and "forcing" in scene.body.arrays else []
     if scene.frequency is not None and not any(sp.sympify(e).has(forcing) for e in driven):
         raise SceneError("frequency: no equation and no event has forcing")
