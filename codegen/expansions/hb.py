@@ -22,14 +22,10 @@ TITLE = "Fourier series"
 ABOUT = About(place=1, power=True, colour="#0072B2", marker="D", line=(0, (6, 2)), filled=False)
 
 
-def impulse(switch: Switch) -> sp.Symbol:
-    """Return the unknown impulse over mass where a phase begins: the jump of the velocity."""
-    return sp.Symbol(f"J_{switch.before}", real=True)
-
-
 def jump(cell_switches: tuple[Switch, ...], p: int) -> sp.Expr:
-    """Return the jump of the velocity where phase `p` begins."""
-    return impulse(cell_switches[p]) if cell_switches[p].k == 0 else sp.Integer(0)
+    """Return the jump of the velocity where phase `p` begins, an unknown if it has one."""
+    switch = cell_switches[p]
+    return sp.Symbol(f"J_{switch.before}", real=True) if switch.k == 0 else sp.Integer(0)
 
 
 def series(harmonics: Harmonics, time: sp.Expr, order: int) -> sp.Expr:
@@ -45,40 +41,25 @@ def orthogonality(
     harmonics: Harmonics, cell_switches: tuple[Switch, ...]
 ) -> Iterator[Condition]:
     """Yield (5), (6), (7): the residual is orthogonal to the constant and to each harmonic."""
-    wave = harmonics.times.harmonic(j) * angle
-    if not harmonics.odd:
-        yield _row(harmonics, cell_switches, "by_one", sp.Integer(1), None)
-    yield _row(harmonics, cell_switches, "by_sine", sp.sin(wave), j)
-    yield _row(harmonics, cell_switches, "by_cosine", sp.cos(wave), j)
-
-
-def _row(
-    harmonics: Harmonics,
-    cell_switches: tuple[Switch, ...],
-    name: str,
-    test: sp.Expr,
-    index: sp.Symbol | None,
-) -> Condition:
-    trial = harmonics.times.harmonic(n) * angle
-    summed = a[n] * harmonics.residual_by(sp.sin(trial), test)
-    summed += b[n] * harmonics.residual_by(sp.cos(trial), test)
-    expression = sp.Sum(sp.expand(summed), (n, 1, N)) - harmonics.force_by(test)
-    if not harmonics.odd:
-        expression += a0 / 2 * harmonics.over_cell("k", test)
-    for p in range(len(cell_switches)):
-        mass = harmonics.weights["m"][p]
-        at = test.subs(angle, harmonics.omega_0 * harmonics.times.start(p))
-        expression -= mass * jump(cell_switches, p) * at
-    words = {"by_one": "1", "by_sine": "sin(j omega_0 t)", "by_cosine": "cos(j omega_0 t)"}
-    return Condition(
-        name,
-        f"residual, orthogonal to {words[name]}",
-        expression,
-        index=index,
-        first=sp.Integer(1),
-        count=sp.Integer(1) if index is None else N,
-        number={"by_one": "5", "by_sine": "6", "by_cosine": "7"}[name],
+    trial, wave = (harmonics.times.harmonic(index) * angle for index in (n, j))
+    tests = (
+        ("by_one", "1", sp.Integer(1), "5"),
+        ("by_sine", "sin(j omega_0 t)", sp.sin(wave), "6"),
+        ("by_cosine", "cos(j omega_0 t)", sp.cos(wave), "7"),
     )
+    for name, words, test, number in tests[1:] if harmonics.odd else tests:
+        summed = a[n] * harmonics.residual_by(sp.sin(trial), test)
+        summed += b[n] * harmonics.residual_by(sp.cos(trial), test)
+        expression = sp.Sum(sp.expand(summed), (n, 1, N)) - harmonics.force_by(test)
+        if not harmonics.odd:
+            expression += a0 / 2 * harmonics.over_cell("k", test)
+        for p in range(len(cell_switches)):
+            mass = harmonics.weights["m"][p]
+            at = test.subs(angle, harmonics.omega_0 * harmonics.times.start(p))
+            expression -= mass * jump(cell_switches, p) * at
+        title = f"residual, orthogonal to {words}"
+        index, count = (j, N) if test.has(angle) else (None, sp.Integer(1))
+        yield Condition(name, title, expression, index, sp.Integer(1), count, number)
 
 
 def impacts(
