@@ -122,8 +122,5 @@ class Harmonics:
         if self.times.frequency is None:
             return total
         turned = cycles * angle
-        turning = sp.cos(phi) * sp.cos(turned) - sp.sin(phi) * sp.sin(turned)
-        for part in sp.Add.make_args(turning):
-            size = sp.Mul(*(q for q in sp.Mul.make_args(part) if not q.has(angle)))
-            total += size * self.over_cell("g", part / size * test)
-        return total
+        total += sp.cos(phi) * self.over_cell("g", sp.cos(turned) * test)
+        return total - sp.sin(phi) * self.over_cell("g", sp.sin(turned) * test)
