@@ -101,9 +101,7 @@ def fixed(phase: Phase, symbol: sp.Symbol) -> sp.Expr | None:
     return -zero.subs(symbol, 0) / sp.diff(zero, symbol)
 
 
-def without_modulus(
-    expression: sp.Expr, states: Sequence[sp.Symbol] = (x, v, forcing)
-) -> tuple[sp.Expr, ...]:
+def without_modulus(expression: sp.Expr, states: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
     """Return a demand without moduli of the state: ``bound - Abs(q)`` as ``bound -+ q``.
 
     `states` are the symbols of the state.
@@ -122,10 +120,5 @@ def without_modulus(
     weight = sp.diff(expanded, stand_in)
     if weight.has(stand_in, *states) or not weight.is_nonpositive:
         raise SceneError(f"got {expression}, expected a bound - Abs(...)")
-    return tuple(
-        part
-        for sign in (1, -1)
-        for part in without_modulus(
-            expanded.xreplace({stand_in: sign * modulus.args[0]}), states
-        )
-    )
+    both = (expanded.xreplace({stand_in: sign * modulus.args[0]}) for sign in (1, -1))
+    return tuple(part for each in both for part in without_modulus(each, states))

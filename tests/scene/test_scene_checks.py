@@ -387,8 +387,8 @@ def test_numbers_of_any_kind_are_numbers():
 
 
 def test_a_bound_of_a_modulus_is_two_bounds():
-    parts = without_modulus(g - sp.Abs(x - c * v / k) - sp.Abs(F / k))
+    parts = without_modulus(g - sp.Abs(x - c * v / k) - sp.Abs(F / k), (x, v))
     assert set(parts) == {g - (x - c * v / k) - F / k, g + x - c * v / k - F / k}
-    two = without_modulus(g - sp.Abs(x) - r * sp.Abs(v) * m / k)
+    two = without_modulus(g - sp.Abs(x) - r * sp.Abs(v) * m / k, (x, v))
     assert len(two) == 4
     assert all(not part.has(sp.Abs) for part in two)
