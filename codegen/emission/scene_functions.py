@@ -136,17 +136,13 @@ def of_phases(scene: SceneData) -> Iterator[Function]:
 
 def _of_body(body: Body) -> Iterator[Function]:
     """Yield the functions of a body: entries of matrices with parameters; damping and modes."""
-    symbolic = {name: q for name, q in body.arrays.items() if not q.is_numeric}
-    parts = (
-        zip([name] * len(q.rows), q.rows, q.columns, q.values, strict=True)
-        for name, q in symbolic.items()
+    rows = tuple(
+        f"({name!r}, {i}, {j}, {python(value)})"
+        for name, q in body.arrays.items()
+        if not q.is_numeric
+        for i, j, value in zip(q.rows, q.columns, q.values, strict=True)
     )
-    rows = (
-        f"({name!r}, {i}, {j}, {python(value)})" for part in parts for name, i, j, value in part
-    )
-    yield Function(
-        "entries", "Return those entries of matrices that have parameters.", tuple(rows)
-    )
+    yield Function("entries", "Return those entries of matrices that have parameters.", rows)
     summary = "Return the damping ratio and the number of modes, if they are given."
     numbers = (body.ratio, body.modes)
     texts = tuple(python(q) if isinstance(q, sp.Symbol) else repr(q) for q in numbers)

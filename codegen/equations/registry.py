@@ -3,7 +3,7 @@
 A document on a scene has its own equations, then equations and Jacobian of each expansion.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType, ModuleType
@@ -140,20 +140,18 @@ def methods(scene: Scene) -> Mapping[str, ModuleType]:
 def conditions(scene: Scene, method: str, functions: int | None = None) -> GalerkinConditions:
     """Return the conditions of a scene in an expansion; see `nonsmooth.codegen.derive`."""
     expansion = _expansion(scene, method)
+    derive: Callable[..., GalerkinConditions]
     derive = expansion.derive if scene.body is None else expansion.of_body
-    record: GalerkinConditions
     if not hasattr(expansion, "FUNCTIONS"):
         if functions is not None:
             raise ValueError(f"functions: got {functions}, {method} has none with a break")
-        record = derive(scene)
-        return record
+        return derive(scene)
     if functions is None:
         functions = 2 if class_of(scene) == 0 else 1
     if type(functions) is not int or functions not in expansion.FUNCTIONS:
         allowed = ", ".join(map(str, expansion.FUNCTIONS))
         raise ValueError(f"functions: got {functions!r}, expected for {method}: {allowed}")
-    record = derive(scene, functions)
-    return record
+    return derive(scene, functions)
 
 
 def _expansion(scene: Scene, method: str) -> ModuleType:

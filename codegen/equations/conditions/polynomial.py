@@ -149,7 +149,7 @@ class Polynomial(Family):
             f"polynomial in {name} that is orthogonal to the tests of index below its degree"
         )
         yield Equation("", words, (member(f"J_{name}", n, u), polynomial))
-        mass, tau = linear_phase(phase).m, _factors(name)
+        mass, tau = linear_phase(phase).m, sp.IndexedBase(f"tau_{name}", real=True)
         count = len(polynomials.rest_of(phase, switch, self.test))
         parts = (tau[i] * member(f"J_{name}", rows + i, u) for i in range(count))
         words = f"what no test in {name} sees, of degree up to `{rows + switch.k}`"
@@ -187,11 +187,6 @@ class Polynomial(Family):
         if self.rest is not None:
             return ((2 * degree + 1) * Inner(R - S, ShiftedLegendre(degree, u)),)
         return (Inner(R, _combined(self.test(degree, self.notation.switches[p].k))),)
-
-
-def _factors(name: str) -> sp.IndexedBase:
-    """Return the symbol of the coefficients of polynomials orthogonal to tests of a phase."""
-    return sp.IndexedBase(f"tau_{name}", real=True)
 
 
 def _moment(phase_moments: Moments, turned: bool = False) -> Equation:
