@@ -15,6 +15,9 @@ the quantities; do not edit.  Arguments are numbers or arrays, some of them comp
 
 from typing import Any, TypeAlias
 
+import numpy as np
+import numpy.typing as npt
+
 '''
 
 #: The return annotation of functions, by which compiled ones are known to return arrays.
@@ -33,9 +36,7 @@ def module_source(record: ModuleType, what: str) -> str:
     """
     functions = "\n\n".join(map(_function, record.formulas()))
     head = HEADER.format(what=what, name=record.__name__.rpartition(".")[2])
-    used = "from numpy import exp\n" if "exp(" in functions else ""
-    imports = f"import numpy as np\nimport numpy.typing as npt\n{used}"
-    return f"{head}{imports}\n{COMPLEX}\n\n\n{functions}"
+    return f"{head}{COMPLEX}\n\n\n{functions}"
 
 
 def _function(formula: Formula) -> str:

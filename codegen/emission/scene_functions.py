@@ -40,9 +40,8 @@ class Function(NamedTuple):
         """Return the source of the function."""
         arguments = ", ".join(symbol.name for symbol in scene.symbols)
         values = "".join(f"        {entry},\n" for entry in self.entries)
-        result = f"(\n{values}    )" if self.entries else "()"
         head = f'def {self.name}({arguments}):\n    """{self.summary}"""\n'
-        return f"{head}    return {result}\n"
+        return f"{head}    return (\n{values}    )\n"
 
 
 #: The coefficients of a linear form, or of an equation.

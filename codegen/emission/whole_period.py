@@ -5,7 +5,6 @@ are factors of integrals of harmonics, which `solver/rows` sums over the phases 
 """
 
 from collections.abc import Iterator
-from functools import cache
 
 import sympy as sp
 
@@ -36,18 +35,17 @@ omega, time = sp.symbols("omega time", positive=True)
 sine, cosine, above, own = sp.symbols("sine cosine above own", real=True)
 C, S = sp.IndexedBase("C"), sp.IndexedBase("S")
 
-
-@cache
-def of_any_scene() -> Harmonics:
-    """Return the harmonics of one phase of any scene."""
-    times = Times((sp.Symbol("s", positive=True),), sp.Symbol("Omega", positive=True), 1)
-    return Harmonics(times, {name: (sp.Symbol(name, positive=True),) for name in POWERS})
+#: The harmonics of one phase of any scene.
+ANY_SCENE = Harmonics(
+    Times((sp.Symbol("s", positive=True),), sp.Symbol("Omega", positive=True), 1),
+    {name: (sp.Symbol(name, positive=True),) for name in POWERS},
+)
 
 
 def closed_forms() -> Iterator[ClosedForm]:
     """Yield the closed forms of harmonics, and of functions with a break."""
     by_sine, by_cosine = (
-        row.expression for row in hb.orthogonality(of_any_scene(), ()) if row.index is not None
+        row.expression for row in hb.orthogonality(ANY_SCENE, ()) if row.index is not None
     )
     doc = (
         "Return the integrals of harmonics j and n: sine with sine, cosine; cosine with those."
@@ -101,9 +99,8 @@ def _with_tables(expression: sp.Expr, name: str) -> sp.Expr:
 
 def _by_time() -> tuple[sp.Expr, sp.Expr]:
     """Return the first derivatives of the harmonics in (3)."""
-    harmonics = of_any_scene()
-    (sum_,) = hb.series(harmonics, time, 1).atoms(sp.Sum)
-    number = harmonics.times.harmonic(n) * harmonics.omega_0
+    (sum_,) = hb.series(ANY_SCENE, time, 1).atoms(sp.Sum)
+    number = ANY_SCENE.times.harmonic(n) * ANY_SCENE.omega_0
     waves = {sp.sin(number * time): sine, sp.cos(number * time): cosine, number: omega}
     coefficients = weights(sum_.function.subs(waves), {a[n], b[n]})
     return coefficients[a[n]], coefficients[b[n]]
