@@ -93,20 +93,15 @@ def _not_linear(term: sp.Expr, symbols: list[sp.Symbol], expected: str) -> str:
     if state and forcing in symbols and _is_linear(term, state):
         return _varying(state[0], sp.diff(term, state[0]))
     kinds = [q for q in term.atoms(*_BRANCHES) if q.has(*symbols)]
-    if kinds and _is_linear(sp.expand(_on_branches(term)), symbols):
+    on_branches = term.replace(lambda q: isinstance(q, _BRANCHES), _sum_of_branches)
+    if kinds and _is_linear(sp.expand(on_branches), symbols):
         kind = min(type(q).__name__ for q in kinds)
         return f"{message}: give each branch of {kind} a phase of its own"
     return f"{message}; {INSTEAD}"
 
 
-def _on_branches(expression: sp.Expr) -> sp.Expr:
-    """Return an expression in which functions with branches are weighted sums of these."""
-    for kind in _BRANCHES:
-        expression = expression.replace(lambda q, k=kind: isinstance(q, k), _sum_of_branches)
-    return expression
-
-
 def _sum_of_branches(function: sp.Expr) -> sp.Expr:
+    """Return a weighted sum of the branches of a function."""
     if isinstance(function, sp.sign | sp.Heaviside):
         return sp.Dummy()
     parts = (q[0] if isinstance(function, sp.Piecewise) else q for q in function.args)
