@@ -124,6 +124,9 @@ class Body:
     ratio: Any = field(default=None, kw_only=True)
     modes: Any = field(default=None, kw_only=True)
 
+    #: M, K, C and forcing, if given, and ``at`` with a column for each contact.
+    arrays: Mapping[str, Entries] = field(init=False, repr=False)
+
     def __post_init__(self) -> None:
         arrays: dict[str, Entries] = {}
         size = _size(self.M)
@@ -145,15 +148,9 @@ class Body:
         arrays["at"] = _beside_each_other(columns)
         contacts = {name: _contact(i, name) for i, name in enumerate(self.at)}
         object.__setattr__(self, "at", contacts)
-        object.__setattr__(self, "_arrays", arrays)
+        object.__setattr__(self, "arrays", arrays)
         object.__setattr__(self, "ratio", _number("ratio", self.ratio, float, 0.0, math.inf))
         object.__setattr__(self, "modes", _number("modes", self.modes, int, 1, size))
-
-    @property
-    def arrays(self) -> Mapping[str, Entries]:
-        """M, K, C and forcing, if given, and ``at`` with a column for each contact."""
-        arrays: Mapping[str, Entries] = self.__dict__["_arrays"]
-        return arrays
 
     @property
     def size(self) -> int:
