@@ -39,15 +39,9 @@ def green(m: int) -> tuple[sp.Expr, sp.Expr]:
     if m == 1:
         return string(beta), sp.Integer(0)
     half = 1 / (2 * beta**2)
-    hyperbolic = (
-        sp.sinh(beta * x) * sp.sinh(beta * (1 - xi)) / (beta * sp.sinh(beta))
-    )  # the string at k = i beta
-    require_zero(
-        [
-            ("it is the string of an imaginary wave number",
-             (string(beta).subs(beta, sp.I * beta) - hyperbolic).rewrite(sp.exp)),
-        ]
-    )  # fmt: skip
+    hyperbolic = sp.sinh(beta * x) * sp.sinh(beta * (1 - xi)) / (beta * sp.sinh(beta))
+    difference = (string(beta).subs(beta, sp.I * beta) - hyperbolic).rewrite(sp.exp)
+    require_zero([("it is the string of an imaginary wave number", difference)])
     return string(beta) * half, -hyperbolic * half
 
 

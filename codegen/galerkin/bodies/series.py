@@ -177,34 +177,26 @@ def integrals() -> Iterator[Equation]:
     def put(name: str, values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
         return formulas[name].subs(dict(zip(indices, (m, n), strict=True)) | common | values)
 
-    def of(m: sp.Expr) -> sp.Expr:
-        return a_at(m, kappa)
-
-    def kept(n: sp.Expr) -> sp.Expr:
-        return b_at(n, kappa)
-
-    def both(m: sp.Expr, n: sp.Expr) -> sp.Expr:
-        return Z_at(m, n, kappa)
-
     power = sp.Integral(ShiftedLegendre(m, u) * sp.exp(kappa * u), (u, 0, 1))
-    yield line("what a pole makes of its state", (of(m), power))
-    yield line("its first entry", (of(sp.S.Zero), put("moment_0", {})))
-    yield line("its second entry", (of(sp.S.One), put("moment_1", {here: of(sp.S.Zero)})))
-    recurrence = put("next_moment", {before: of(m - 1), here: of(m)})
-    yield line("its recurrence", (of(m + 1), recurrence), "`m > 0`")
+    yield line("what a pole makes of its state", (a_at(m, kappa), power))
+    yield line("its first entry", (a_at(0, kappa), put("moment_0", {})))
+    yield line("its second entry", (a_at(1, kappa), put("moment_1", {here: a_at(0, kappa)})))
+    recurrence = put("next_moment", {before: a_at(m - 1, kappa), here: a_at(m, kappa)})
+    yield line("its recurrence", (a_at(m + 1, kappa), recurrence), "`m > 0`")
     words = (
         "what a pole keeps of a force: the inner integral is `b_n e^(kappa u)` and a polynomial"
     )
-    yield line(words, (kept(sp.S.Zero), put("answer_0", {})))
-    yield line("its second entry", (kept(sp.S.One), put("answer_1", {here: kept(sp.S.Zero)})))
-    recurrence = put("next_answer", {before: kept(n - 1), here: kept(n)})
-    yield line("its recurrence", (kept(n + 1), recurrence), "`n > 0`")
+    yield line(words, (b_at(0, kappa), put("answer_0", {})))
+    yield line("its second entry", (b_at(1, kappa), put("answer_1", {here: b_at(0, kappa)})))
+    recurrence = put("next_answer", {before: b_at(n - 1, kappa), here: b_at(n, kappa)})
+    yield line("its recurrence", (b_at(n + 1, kappa), recurrence), "`n > 0`")
     inner = sp.Integral(sp.exp(kappa * (u - y)) * ShiftedLegendre(n, y), (y, 0, u))
     double_integral = sp.Integral(ShiftedLegendre(m, u) * inner, (u, 0, 1))
-    yield line("what a pole makes of a force", (both(m, n), double_integral))
-    yield line("below the diagonal", (both(m, n), of(m) * kept(n)), "`m > n`")
-    yield line("above it", (both(n, m), (-1) ** (m + n) * both(m, n)), "`m > n`")
-    entry = put("response_0", {here: of(sp.S.Zero), force_series.after: of(sp.S.One)})
-    yield line("its first entry", (both(sp.S.Zero, sp.S.Zero), entry))
-    values = {before: both(n, n - 1), force_series.after: both(n + 1, n)}
-    yield line("on the diagonal", (both(n, n), put("same_response", values)), "`n > 0`")
+    yield line("what a pole makes of a force", (Z_at(m, n, kappa), double_integral))
+    product = a_at(m, kappa) * b_at(n, kappa)
+    yield line("below the diagonal", (Z_at(m, n, kappa), product), "`m > n`")
+    yield line("above it", (Z_at(n, m, kappa), (-1) ** (m + n) * Z_at(m, n, kappa)), "`m > n`")
+    entry = put("response_0", {here: a_at(0, kappa), force_series.after: a_at(1, kappa)})
+    yield line("its first entry", (Z_at(0, 0, kappa), entry))
+    values = {before: Z_at(n, n - 1, kappa), force_series.after: Z_at(n + 1, n, kappa)}
+    yield line("on the diagonal", (Z_at(n, n, kappa), put("same_response", values)), "`n > 0`")
