@@ -6,7 +6,7 @@ import sympy as sp
 
 from ..galerkin.bodies.contacts import RATE, Contacts
 from ..scene.bodies.law import body_of
-from ..system import Equation
+from ..system import Equation, line
 from .conditions.functions import state, t
 from .notation import Notation
 from .switching import at_state, balanced
@@ -31,11 +31,11 @@ def of_the_body(notation: Notation) -> Iterator[Equation]:
         words += f"; C gives every mode the damping ratio `{body.ratio}`"
     if body.modes is not None:
         words += f"; `{body.modes}` modes move, and the others answer statically"
-    yield Equation("", words, (left, right))
+    yield line(words, (left, right))
     for c, contact in enumerate(contacts.each):
         picked = sp.Symbol(f"{picks[c]}'", commutative=False) * q(t)
         words = f"displacement of {contact.name}, which `{picks[c]}` picks"
-        yield Equation("", words, (notation.displacement(c, 0, t), picked))
+        yield line(words, (notation.displacement(c, 0, t), picked))
 
 
 def laws_of(notation: Notation, p: int) -> Iterator[Equation]:
@@ -43,7 +43,7 @@ def laws_of(notation: Notation, p: int) -> Iterator[Equation]:
     phase = notation.scene.cell[p]
     for name, law in zip(body_of(notation.scene).at, phase.laws, strict=True):
         left, right, _ = balanced(at_state(notation, law, t))
-        yield Equation("", f"law at {name} in {phase.name}", (left, right), notation.during(p))
+        yield line(f"law at {name} in {phase.name}", (left, right), notation.during(p))
 
 
 def returning(notation: Notation, p: int) -> Equation:
@@ -51,7 +51,7 @@ def returning(notation: Notation, p: int) -> Equation:
     phase = notation.scene.phases[p]
     law = state(2, t) + RATE * (state(1, t) - sp.sympify(phase.held))
     words = f"law that is solved in {phase.name}: the same from that velocity on"
-    return Equation("", words, (law, sp.Integer(0)), notation.during(p))
+    return line(words, (law, sp.Integer(0)), notation.during(p))
 
 
 def rate(notation: Notation) -> Iterator[Equation]:
@@ -59,7 +59,7 @@ def rate(notation: Notation) -> Iterator[Equation]:
     if any(phase.held is not None for phase in notation.scene.phases):
         value = notation.scene.frequency or 1 / sp.Symbol("t_unit")
         words = "rate at which a held contact returns to its velocity"
-        yield Equation("", words, (RATE, value))
+        yield line(words, (RATE, value))
 
 
 def velocities(notation: Notation, p: int) -> Iterator[Equation]:
@@ -71,4 +71,4 @@ def velocities(notation: Notation, p: int) -> Iterator[Equation]:
         before, after = (notation.displacement(c, 1, time) for time in sides)
         value = sign * law.subs(contacts.each[c].v, before)
         words = f"velocity of {contacts.each[c].name} where {scene.phases[p].name} ends"
-        yield Equation("", words, (after, value))
+        yield line(words, (after, value))

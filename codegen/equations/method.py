@@ -10,7 +10,7 @@ from ..expansions import applies, in_order
 from ..galerkin import Block, GalerkinConditions, cycles
 from ..scene import Scene
 from ..scene.smoothness import class_of
-from ..system import Equation, GalerkinSystem
+from ..system import Equation, GalerkinSystem, line
 from .conditions.family import shown
 from .conditions.forces import Forces
 from .conditions.fourier import Fourier
@@ -120,9 +120,9 @@ def _times(notation: Notation) -> Iterator[Equation]:
         zip(notation.times.durations, notation.scene.phases, strict=True)
     ):
         sides = (time, notation.at(p + 1) - notation.at(p))
-        yield Equation("", f"duration of {phase.name}", sides)
+        yield line(f"duration of {phase.name}", sides)
     if notation.times.sign == -1:
-        yield Equation("", "the period", (T, 2 * notation.cell))
+        yield line("the period", (T, 2 * notation.cell))
     if notation.times.frequency is not None:
         sides = (sp.Add(*notation.times.durations), notation.times.forced_cell.subs(cycles, 1))
-        yield Equation("", "the cell is as long as the forcing makes it", sides)
+        yield line("the cell is as long as the forcing makes it", sides)

@@ -9,7 +9,7 @@ from ..galerkin.closure import law
 from ..scene import Scene
 from ..scene.scales import scales
 from ..scene.smoothness import place
-from ..system import Equation
+from ..system import Equation, line
 from . import bodies
 from .conditions.functions import T, state, t, x
 from .notation import Notation
@@ -73,7 +73,7 @@ def _phases(notation: Notation) -> Iterator[Equation]:
                 yield bodies.returning(notation, p)
         at = place(scene, p) if scene.body is None else None
         if at is not None:
-            yield Equation("", f"the displacement is held in {name}", (state(0, t), at), when)
+            yield line(f"the displacement is held in {name}", (state(0, t), at), when)
         for words, demand in scene.cell[p].demands.items():
             relation = not_negative(at_state(notation, demand, t))
             title = f"demanded in {name}: {marked(scene, words)}"
@@ -85,18 +85,18 @@ def _switches(notation: Notation) -> Iterator[Equation]:
     scene = notation.scene
     for p, phase in enumerate(scene.phases):
         left, right, _ = balanced(event(notation, p))
-        yield Equation("", f"{phase.name} ends", (left, right))
+        yield line(f"{phase.name} ends", (left, right))
         for end in phase.each_end[1:]:
             left, right, _ = balanced(at_the_end(notation, p, end.ends.zero))
             words = f"in another order {phase.name} ends, as {end.name}"
-            yield Equation("", words, (left, right))
+            yield line(words, (left, right))
         yield from _jumps(notation, p) if scene.body is None else bodies.velocities(notation, p)
         for words, demand in scene.cell[p].ends.demands.items():
             title = f"demanded where {phase.name} ends: {marked(scene, words)}"
-            yield Equation("", title, (not_negative(at_the_end(notation, p, demand)),))
+            yield line(title, (not_negative(at_the_end(notation, p, demand)),))
     for memory in scene.memory:
         words = f"{memory.what}: set where {memory.at} begins"
-        yield Equation("", words, (memory.symbol, set_to(notation, memory)))
+        yield line(words, (memory.symbol, set_to(notation, memory)))
 
 
 def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
@@ -106,7 +106,7 @@ def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
         q, sign = scene.after(p)
         value = sign * law(scene, q, notation.end)
         words = f"the velocity jumps where {phase.name} ends"
-        yield Equation("", words, (state(1, notation.side(p + 1, "+")), value))
+        yield line(words, (state(1, notation.side(p + 1, "+")), value))
 
 
 def _classes(notation: Notation) -> Iterator[Equation]:
@@ -114,32 +114,29 @@ def _classes(notation: Notation) -> Iterator[Equation]:
     for p, switch in enumerate(notation.switches):
         order = ORDINAL.get(switch.jumps, f"{switch.jumps}th")
         words = f"the motion is `C^{switch.k}` where {switch.before} begins: its {order} "
-        yield Equation("", f"{words}derivative jumps", jump(notation, p))
+        yield line(f"{words}derivative jumps", jump(notation, p))
     for p, phase in enumerate(notation.scene.phases):
         for words, sides in perturbations(notation, p):
-            yield Equation("", f"small perturbation {words} where {phase.name} ends", sides)
+            yield line(f"small perturbation {words} where {phase.name} ends", sides)
 
 
 def whole_motion(notation: Notation) -> Iterator[Equation]:
     """Yield the equations of the whole motion: period, requirements, scales."""
     scene = notation.scene
     if scene.half_period:
-        yield Equation("", "the motion repeats with the opposite sign", (x(t + T / 2), -x(t)))
-        yield Equation("", "the period", (T, 2 * notation.cell))
+        yield line("the motion repeats with the opposite sign", (x(t + T / 2), -x(t)))
+        yield line("the period", (T, 2 * notation.cell))
     else:
-        yield Equation("", "the motion repeats", (x(t + T), x(t)))
+        yield line("the motion repeats", (x(t + T), x(t)))
     if scene.frequency is not None:
-        yield Equation(
-            "", "the period is that of the forcing", (T, 2 * sp.pi / scene.frequency)
-        )
+        yield line("the period is that of the forcing", (T, 2 * sp.pi / scene.frequency))
     for words, expression in scene.requires.items():
-        yield Equation(
-            "", f"required: {marked(scene, words)}", (_required(sp.sympify(expression)),)
-        )
-    for name, size in zip(("mass", "time", "length"), scales(scene), strict=True):
-        symbol = sp.Symbol(f"{ {'mass': 'm', 'time': 't', 'length': 'x'}[name] }_unit")
+        yield line(f"required: {marked(scene, words)}", (_required(sp.sympify(expression)),))
+    units = zip(("mass", "time", "length"), "mtx", scales(scene), strict=True)
+    for name, letter, size in units:
+        symbol = sp.Symbol(f"{letter}_unit")
         words = f"unit of {name} in which the equations are dimensionless"
-        yield Equation("", words, (symbol, size.xreplace({sp.Float(1.0): sp.S.One})))
+        yield line(words, (symbol, size.xreplace({sp.Float(1.0): sp.S.One})))
 
 
 def marked(scene: Scene, words: str) -> str:

@@ -15,7 +15,7 @@ from ...galerkin import GalerkinConditions
 from ...galerkin.harmonics import beta
 from ...galerkin.legendre import l
 from ...scene import LinearPhase
-from ...system import Equation, Inner
+from ...system import Equation, Inner, line
 from ..notation import Notation
 from .functions import member, omega_0, t, u
 
@@ -66,16 +66,16 @@ class Breaks:
                 name = self._word(p)
                 sides = (member(f"beta_{name}", _n, t), sign * member("beta", _n, part))
                 title = f"function with its break where {name} begins"
-                yield Equation("", title, sides, self.notation.during(q))
+                yield line(title, sides, self.notation.during(q))
         if not self.orders:
             return
         sign = self.notation.times.sign
         kind, where = ("Bernoulli", "") if sign == 1 else ("Euler", "`n = 1, 2, ...`")
         sides = (member("beta", _n, u), beta(_n, u, sign))
-        yield Equation("", f"by the polynomials of {kind}", sides, where)
+        yield line(f"by the polynomials of {kind}", sides, where)
         for n in sorted({n - r for _, n in self.orders for r in range(3)}):
             sides = (member("beta", n, u), beta(n, u, sign))
-            yield Equation("", f"function of order {n}", sides)
+            yield line(f"function of order {n}", sides)
 
     def residual(self, q: int) -> sp.Expr:
         """Return the sum of the functions' terms in the residual in phase `q`."""
@@ -93,7 +93,7 @@ class Breaks:
             total = sum(w * self._value(n - r, part) / cell**r for w, r in terms)
             title = f"residual of the function of order {n}"
             sides = (self._part(p, n), sp.expand_mul(sign * total))
-            yield Equation("", title, sides, self.notation.during(q))
+            yield line(title, sides, self.notation.during(q))
 
     def _value(self, n: int, part: sp.Expr) -> sp.Expr:
         """Return ``beta_n``, as a number if it is constant or at the ends of the cell."""
@@ -131,4 +131,4 @@ class Breaks:
             for name, f in (("G", sp.cos), ("H", sp.sin)):
                 inner = Inner(self._part(p, n), f(l * omega_0 * t))
                 sides = (self._integral(name, p, n, l), inner)
-                yield Equation("", "integral of a residual with a harmonic", sides)
+                yield line("integral of a residual with a harmonic", sides)

@@ -8,7 +8,7 @@ import sympy as sp
 from ...galerkin import GalerkinConditions
 from ...galerkin.bodies.contacts import Contacts, j, pole
 from ...galerkin.condition import BodyConditions
-from ...system import Equation
+from ...system import Equation, line
 from .family import Family
 from .functions import t
 
@@ -38,7 +38,7 @@ class Forces(Family):
         forces = [notation.force(c, t) for c in range(len(contacts.each))]
         pushed = sp.Add(*(contacts.chi(c) * force for c, force in enumerate(forces)))
         words = "the body by its poles, of each pair the one above the real axis"
-        yield Equation("", words, (z(t).diff(t), pole[j] * z(t) + pushed), "`j = 1, ..., L`")
+        yield line(words, (z(t).diff(t), pole[j] * z(t) + pushed), "`j = 1, ..., L`")
         for c, contact in enumerate(contacts.each):
             words = f"displacement of {contact.name}"
             x_c = contacts.summed(contacts.psi(c) * z(t))
@@ -51,11 +51,11 @@ class Forces(Family):
                 words += (
                     f", `{contacts.static(c, c)}` the static one of modes that are left out"
                 )
-            yield Equation("", words, (notation.displacement(c, 0, t), x_c))
+            yield line(words, (notation.displacement(c, 0, t), x_c))
             for d in range(len(forces)):
                 total = contacts.summed(pole[j] * contacts.psi(c) * contacts.chi(d))
                 words = f"mobility: the acceleration of {contact.name} by a force"
-                yield Equation("", words, (contacts.mobility(c, d), total))
+                yield line(words, (contacts.mobility(c, d), total))
 
     def _shown(self, rows: Iterable[Equation]) -> Iterator[Equation]:
         for row in rows:

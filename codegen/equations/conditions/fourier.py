@@ -8,7 +8,7 @@ import sympy as sp
 from ...galerkin import Condition, GalerkinConditions
 from ...galerkin.condition import N
 from ...galerkin.harmonics import Harmonics, a, a0, b, equations, j, n
-from ...system import Equation, Inner
+from ...system import Equation, Inner, line
 from ..tidy import by_unknown
 from .breaks import Breaks
 from .family import Family
@@ -43,7 +43,7 @@ class Fourier(Family):
         """Yield the expansion, the residual, the conditions, and the tables they use."""
         number = self.beside.numbers["expansion"]
         yield Equation(number, "expansion", (x(t), self._series() + self.beside.expansion()))
-        yield Equation("", "frequency", (omega_0, 2 * sp.pi / T))
+        yield line("frequency", (omega_0, 2 * sp.pi / T))
         yield from self.beside.definitions()
         yield from self._residual()
         yield Equation("8", "inner product", self._inner_product())
@@ -73,7 +73,7 @@ class Fourier(Family):
             if rate == 0:
                 continue
             sides = (sp.Derivative(name, time, evaluate=False), rate)
-            yield Equation("", "time derivative", sides, row.where)
+            yield line("time derivative", sides, row.where)
 
     def _wave(self, f: type[sp.Function], index: sp.Expr) -> sp.Expr:
         return f(self.harmonics.times.harmonic(index) * omega_0 * t)
@@ -150,4 +150,4 @@ class Fourier(Family):
         for p, impulse in self._jumps().items():
             before, after = (Rate(1, self.notation.side(p, sign)) for sign in "-+")
             title = "the velocity jumps; the series has the mean of both sides"
-            yield Equation("", title, (impulse, after - before))
+            yield line(title, (impulse, after - before))

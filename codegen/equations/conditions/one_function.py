@@ -10,7 +10,7 @@ from ...expansions import hb_c1
 from ...galerkin import GalerkinConditions
 from ...galerkin.legendre import l
 from ...scene import LinearPhase
-from ...system import Equation, Inner
+from ...system import Equation, Inner, line
 from ..notation import Notation
 from .functions import T, omega_0, t, u
 
@@ -39,7 +39,7 @@ class OneFunction:
         """Yield (12), over ``T (T - t_1)**3``, in both phases."""
         t1 = self.notation.at(1)
         name = self.notation.switches[1].before
-        yield Equation("", f"local time of {name}", (u, (t - t1) / (T - t1)))
+        yield line(f"local time of {name}", (u, (t - t1) / (T - t1)))
         for p, value in enumerate(self._values()):
             title = f"function in {self.notation.switches[p].before}"
             yield Equation("12", title, (G, value), self.notation.during(p))
@@ -55,7 +55,7 @@ class OneFunction:
         """Yield the residual of the function in phase `p`; in the held one it is zero."""
         curvature = sp.diff(self._values()[p], u, 2) / (T - self.notation.at(1)) ** 2
         value = phase.m * curvature + phase.k * G if p else sp.Integer(0)
-        yield Equation("", "residual of the function", (q, value), self.notation.during(p))
+        yield line("residual of the function", (q, value), self.notation.during(p))
 
     def entries(self, expression: sp.Expr) -> sp.Expr:
         """Return an expression unchanged: its integrals are printed by their symbols."""
@@ -65,4 +65,4 @@ class OneFunction:
         """Yield the definitions of the integrals with harmonics."""
         for base, f in ((hb_c1.BY_COSINE, sp.cos), (hb_c1.BY_SINE, sp.sin)):
             sides = (base[l], Inner(q, f(l * omega_0 * t)))
-            yield Equation("", "integral of the residual with a harmonic", sides)
+            yield line("integral of the residual with a harmonic", sides)

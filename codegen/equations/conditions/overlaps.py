@@ -11,7 +11,7 @@ import sympy as sp
 
 from ...galerkin.harmonics import POWERS, Harmonics, j, n
 from ...galerkin.legendre import l
-from ...system import Equation
+from ...system import Equation, line
 from ..notation import Notation
 from ..tidy import SAME
 from .functions import omega_0, t
@@ -70,9 +70,9 @@ class Overlaps:
         integral = sp.Integral(f(l * omega_0 * t), (t, start, end))
         rising = [self._primitive(f, time) for time in (end, start)]
         title = f"integral of a harmonic over {self.notation.scene.phases[p].name}"
-        yield Equation("", title, (table[l], integral, rising[0] - rising[1]), "`l != 0`")
+        yield line(title, (table[l], integral, rising[0] - rising[1]), "`l != 0`")
         zero = end - start if f is sp.cos else sp.Integer(0)
-        yield Equation("", title, (table[0], zero))
+        yield line(title, (table[0], zero))
 
     def _primitive(self, f: type[sp.Function], time: sp.Expr) -> sp.Expr:
         """Return the primitive of a harmonic at a time; at the end of the cell a number."""

@@ -10,7 +10,7 @@ from ...galerkin import Condition, GalerkinConditions, polynomials
 from ...galerkin.legendre import Moments, l, n, repeated_integral
 from ...galerkin.polynomials import Rest, Test, moments, series
 from ...scene import linear_phase
-from ...system import Equation, Inner, ShiftedLegendre, TwiceIntegrated
+from ...system import Equation, Inner, ShiftedLegendre, TwiceIntegrated, line
 from ..tidy import by_entries, by_unknown
 from .family import Family
 from .functions import R, Rate, member, t, u, x
@@ -64,7 +64,7 @@ class Polynomial(Family):
                 rate = q.rate(time)
                 if rate != 0:
                     sides = (sp.Derivative(q.symbol[l], time, evaluate=False), by_entries(rate))
-                    yield Equation("", "time derivative", sides)
+                    yield line("time derivative", sides)
 
     def _number(self, name: str, p: int) -> str:
         """Return the equation number of the paper, if phase `p` is of class C^1 as there."""
@@ -81,11 +81,11 @@ class Polynomial(Family):
                 yield Equation(number, f"acceleration in {name}", sides, when)
             else:
                 velocity, place = q.velocity, q.displacement + s * u * q.velocity
-            yield Equation("", f"velocity in {name}", (Rate(1, t), velocity), when)
+            yield line(f"velocity in {name}", (Rate(1, t), velocity), when)
             number = self._number("expansion", p)
             yield Equation(number, f"expansion in {name}", (x(t), place), when)
             local = (u, (t - self.notation.at(p)) / s)
-            yield Equation("", f"local time in {name}, from 0 to 1", local)
+            yield line(f"local time in {name}, from 0 to 1", local)
 
     def _sum(self, p: int, function: sp.Expr) -> sp.Expr:
         q = self.trial[p]
@@ -98,13 +98,13 @@ class Polynomial(Family):
     def _basis(self) -> Iterator[Equation]:
         twice, once, legendre = self._functions()
         sides = (legendre, sp.legendre(n, 2 * u - 1))
-        yield Equation("", "shifted Legendre polynomial", sides)
+        yield line("shifted Legendre polynomial", sides)
         for times, function in ((1, once), (2, twice)):
             words = f"integrated {TIMES[times]} from 0"
             sides = (function, _combined(repeated_integral(n, times)))
-            yield Equation("", words, sides)
+            yield line(words, sides)
         below = ShiftedLegendre(-n - 1, u), -legendre
-        yield Equation("", "what stands for a degree below zero", below)
+        yield line("what stands for a degree below zero", below)
 
     def _residual(self) -> Iterator[Equation]:
         scene = self.scene
@@ -122,7 +122,7 @@ class Polynomial(Family):
             yield Equation(number, f"residual in {name}", (R, total), when)
         first, second = sp.Function("a")(t), sp.Function("b")(t)
         integral = sp.Integral(first * second, (u, 0, 1))
-        yield Equation("", "inner product on a phase", (Inner(first, second), integral))
+        yield line("inner product on a phase", (Inner(first, second), integral))
 
     def _tests(self) -> Iterator[Equation]:
         for p, switch in enumerate(self.notation.switches):
@@ -132,7 +132,7 @@ class Polynomial(Family):
                 times = TIMES.get(switch.k + 1, f"{switch.k + 1} times")
                 words = f"test function in {name}, `P_n` integrated {times} from the switch"
                 sides = (member(f"W_{name}", n, u), _combined(weights))
-                yield Equation("", words, sides)
+                yield line(words, sides)
             if self.trial[p].acceleration is not None and self.rest is not None:
                 yield from self._left(p, self.rest)
 
@@ -148,12 +148,12 @@ class Polynomial(Family):
         words = (
             f"polynomial in {name} that is orthogonal to the tests of index below its degree"
         )
-        yield Equation("", words, (member(f"J_{name}", n, u), polynomial))
+        yield line(words, (member(f"J_{name}", n, u), polynomial))
         mass, tau = linear_phase(phase).m, sp.IndexedBase(f"tau_{name}", real=True)
         count = len(polynomials.rest_of(phase, switch, self.test))
         parts = (tau[i] * member(f"J_{name}", rows + i, u) for i in range(count))
         words = f"what no test in {name} sees, of degree up to `{rows + switch.k}`"
-        yield Equation("", words, (S, mass * sp.Add(*parts)), self.notation.during(p))
+        yield line(words, (S, mass * sp.Add(*parts)), self.notation.during(p))
 
     def closed(self, condition: Condition) -> sp.Expr:
         """Return a condition as a sum of unknowns with their factors."""
@@ -198,7 +198,7 @@ def _moment(phase_moments: Moments, turned: bool = False) -> Equation:
     closed = sp.cos(theta + kappa / 2 + l * sp.pi / 2) * sp.jn(l, kappa / 2)
     title = "moment of the forcing; `j_l` is the spherical Bessel function"
     symbol = phase_moments.turned if turned else phase_moments.symbol
-    return Equation("", title, (symbol[l], integral, closed))
+    return line(title, (symbol[l], integral, closed))
 
 
 def _combined(weights: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
