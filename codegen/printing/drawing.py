@@ -133,7 +133,7 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
     def _print_Derivative(self, expr: sp.Derivative) -> prettyForm:
         ((variable, order),) = expr.variable_count
         if isinstance(expr.expr, sp.core.function.AppliedUndef):
-            return self._primed(expr.expr.func, int(order), variable)
+            return self._at(self._name(expr.expr.func.__name__) + "'" * int(order), variable)
         sign = "∂" if self._use_unicode else "d"
         return self._small(sign, expr.expr) / self._small(sign, variable)
 
@@ -144,9 +144,8 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
             inside = prettyForm(*inside.parens())
         return prettyForm(*inside.left(sign))
 
-    def _primed(self, function: type[sp.Expr], order: int, at: sp.Expr) -> prettyForm:
-        name = self._name(function.__name__) + "'" * order
-        return prettyForm(*stringPict.next(name, prettyForm(*self._print(at).parens())))
+    def _at(self, name: str, argument: sp.Expr) -> prettyForm:
+        return prettyForm(*stringPict.next(name, prettyForm(*self._print(argument).parens())))
 
     def _print_Max(self, expr: sp.Max) -> prettyForm:
         return self._helper_print_function(expr.func, expr.args, func_name="max")
@@ -158,8 +157,7 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
 
     def _with_index(self, expr: sp.Expr) -> prettyForm:
         index, argument = expr.args
-        head = self._indexed(LETTERS[expr.func.__name__], (index,))
-        return prettyForm(*stringPict.next(head, prettyForm(*self._print(argument).parens())))
+        return self._at(self._indexed(LETTERS[expr.func.__name__], (index,)), argument)
 
     _print_bernoulli = _print_euler = _print_legendre = _print_jn = _with_index
     _print_ShiftedLegendre = _print_TwiceIntegrated = _with_index  # noqa: N815  (of classes)

@@ -57,15 +57,12 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         ((variable, order),) = expr.variable_count
         function = expr.expr
         if isinstance(function, sp.core.function.AppliedUndef):
-            return self._primed(function, int(order), variable)
+            name = self._print(sp.Symbol(function.func.__name__)) + "'" * int(order)
+            return rf"{name}\left({self._print(variable)}\right)"
         below = rf"\partial {self._print(variable)}"
         if function.is_Symbol or isinstance(function, sp.Indexed):
             return rf"\frac{{\partial {self._print(function)}}}{{{below}}}"
         return rf"\frac{{\partial}}{{{below}}} \left({self._print(function)}\right)"
-
-    def _primed(self, function: sp.Expr, order: int, at: sp.Expr) -> str:
-        name = self._print(sp.Symbol(function.func.__name__)) + "'" * order
-        return rf"{name}\left({self._print(at)}\right)"
 
     def _print_KroneckerDelta(self, expr: sp.KroneckerDelta, exp: str | None = None) -> str:
         first, second = map(self._print, expr.args)
