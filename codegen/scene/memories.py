@@ -16,13 +16,6 @@ if TYPE_CHECKING:
     from .data import Memory, Phase, SceneData
 
 
-def is_set(memory: "Memory", names: Sequence[str], p: int) -> bool:
-    """Return whether phase `p` of an order sets a memory; `names` are those of the scene."""
-    if isinstance(memory.at, str):
-        return names[p] == memory.at
-    return names[p] in memory.at and names[p - 1] not in memory.at
-
-
 def settings(
     memories: Iterable["Memory"],
     names: Sequence[str],
@@ -51,10 +44,12 @@ def settings(
     found: list[Memory] = []
     substitutions: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in names]
     for memory in memories:
-        places = [p for p in range(len(names)) if is_set(memory, names, p)]
-        if not places and isinstance(memory.at, str):
+        own = isinstance(memory.at, str)
+        holds = [name == memory.at if own else name in memory.at for name in names]
+        places = [p for p, on in enumerate(holds) if on and (own or not holds[p - 1])]
+        if not places and own:
             raise ValueError(f"phases: expected {memory.at} among them: it sets {memory.what}")
-        if not places and names[0] in memory.at:
+        if not places and holds[0]:
             what = f"none of them sets {memory.symbol}, which may have any of many values"
             raise ValueError(f"phases: {what}")
         unique = numbered([memory.symbol.name] * len(places))

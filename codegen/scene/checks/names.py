@@ -73,15 +73,10 @@ def check_called(field: str, name: str) -> None:
 
 def check_meaning(field: str, name: str, phases: Iterable[str]) -> None:
     """Check that a name has no other meaning in the equations; a `SceneError` if it has."""
-    if reserved(name, phases):
+    patterns = (_OF_A_PHASE.format(re.escape(phase)) for phase in phases)
+    if _RESERVED.fullmatch(name) or any(re.fullmatch(q, name) for q in patterns):
         raise SceneError(
             f"{field}: {name} has a meaning of its own in the equations, as have "
             f"{', '.join(SHORT)}, the names of functions and those that begin with s_, x_, v_ "
             "and the like before the name of a phase; expected another name"
         )
-
-
-def reserved(name: str, phases: Iterable[str]) -> bool:
-    """Return whether equations use a name themselves, in a scene with these phases."""
-    patterns = (_OF_A_PHASE.format(re.escape(phase)) for phase in phases)
-    return bool(_RESERVED.fullmatch(name)) or any(re.fullmatch(q, name) for q in patterns)
