@@ -44,19 +44,15 @@ def sections(name: str | Structure, methods: Iterable[str] = ()) -> list[Section
         "ck": (f"Functions of class `C^{structure.k}` only (c{structure.k})", _series),
     }
     chosen = [_generic(structure, method) for method in methods] or list(METHODS)
+    heading = f"{structure.name} (`C^{structure.k}`): {structure.title}"
     listed = [
-        Section(heading(structure), tuple(_problem(structure)), _parameters(structure)),
+        Section(heading, tuple(_problem(structure)), _parameters(structure)),
         Section("Exact modes", tuple(_exact(structure))),
     ]
     for method in chosen:
         title, equations = shown[method]
         listed.append(Section(title, tuple(equations(structure))))
     return listed
-
-
-def heading(structure: Structure) -> str:
-    """Return what a structure is, with its class."""
-    return f"{structure.name} (`C^{structure.k}`): {structure.title}"
 
 
 def _generic(structure: Structure, method: str) -> str:

@@ -16,9 +16,6 @@ from .functions import R, Rate, T, omega_0, t, x
 from .one_function import OneFunction
 from .overlaps import Overlaps
 
-#: Sections of the paper, without and with functions added to the series.
-SECTIONS = ("3.1", "3.2")
-
 
 class Fourier(Family):
     """The equations of a scene by a Fourier series, with or without further functions."""
@@ -32,7 +29,7 @@ class Fourier(Family):
             if OneFunction.is_in(conditions)
             else Breaks(conditions, self.notation)
         )
-        self.section = SECTIONS[self.beside.expansion() != 0]
+        self.section = "3.1" if self.beside.expansion() == 0 else "3.2"
 
     @staticmethod
     def fits(conditions: GalerkinConditions) -> bool:
