@@ -9,10 +9,6 @@ from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
 
 
-def _is_negative(expression: sp.Expr) -> bool:
-    return bool(expression.as_coeff_Mul()[0].is_negative)
-
-
 class NumericPrinter(PythonCodePrinter):  # type: ignore[misc]
     """Print small powers as products, and a fraction as one division.
 
@@ -24,7 +20,8 @@ class NumericPrinter(PythonCodePrinter):  # type: ignore[misc]
         numerator, denominator = sp.fraction(expr)
         if denominator == 1:
             return str(super()._print_Mul(expr))
-        sign, numerator = ("-", -numerator) if _is_negative(numerator) else ("", numerator)
+        is_negative = numerator.as_coeff_Mul()[0].is_negative
+        sign, numerator = ("-", -numerator) if is_negative else ("", numerator)
         above = self.parenthesize(numerator, PRECEDENCE["Mul"])
         below = self.parenthesize(denominator, PRECEDENCE["Pow"], strict=False)
         return f"{sign}{above}/{below}"
