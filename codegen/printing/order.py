@@ -29,10 +29,8 @@ def terms(total: sp.Expr) -> list[sp.Expr]:
 
 def led_by_a_plus(summands: list[sp.Expr]) -> list[sp.Expr]:
     """Return terms with the first that has no minus in front of the others."""
-    plain = [
-        index for index, term in enumerate(summands) if not term.could_extract_minus_sign()
-    ]
-    first = plain[0] if plain else 0
+    plain = (i for i, term in enumerate(summands) if not term.could_extract_minus_sign())
+    first = next(plain, 0)
     return [*summands[first : first + 1], *summands[:first], *summands[first + 1 :]]
 
 
