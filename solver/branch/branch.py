@@ -19,7 +19,6 @@ from .bodies.course import BodyCourse
 from .course import Course
 from .events.locate import Found
 from .follow import CLOSED, NO_STEP, PART, Segment, follow, in_units
-from .for_ever import for_ever
 from .meeting import halved, symmetric
 from .orders.change import beyond, why_none
 from .piece import Piece
@@ -115,7 +114,7 @@ def start_of(
     if isinstance(orbit, WithoutSwitches):
         step = Step(course.base.phases.index(orbit.phase))
         course = replace(course, order=Order((step,)), endless=True, units=case.units)
-        z = for_ever(course, case.numbers)
+        z = course.for_ever(case.numbers)
     else:
         z = course.unknowns(orbit)
     unknowns = np.append(z, case.numbers[index])

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..arrays import Integers, Matrix, Vector
 from ..bodies.systems import BodyError
+from ..existence.reasons import steady
 from ..flow.exact_system import angles, arrays, phase_numbers, places
 from ..flow.flow import state_at
 from ..kernels.family import Family
@@ -21,16 +22,9 @@ from ..scenes.parameter_error import ParameterError
 from ..simulation.followers import may_hold
 from ..simulation.steps.state import AnyState, State
 from . import walk, watch
-from .along import (
-    Along,
-    Content,
-    Interval,
-    divided_phases,
-    of_velocity,
-    resolved,
-    weights,
-)
+from .along import Along, Content, Interval, divided_phases, of_velocity, resolved, weights
 from .orders.itinerary import Itinerary
+from .place import NoStepError
 from .walk import FAMILY
 from .watch import AT_SWITCH, BEHIND, START, WITHIN
 
@@ -248,6 +242,33 @@ class Course(Itinerary):
             memory.append(of_state + cos * np.cos(forcing_angles[p]) + constant)
         forcing_phase = [angle] if cell.forced else []
         return np.array([*chain.from_iterable(states), *memory, *durations, *forcing_phase])
+
+    def for_ever(self, numbers: tuple[float, ...]) -> Vector:
+        """Return the unknowns of a motion without switches, the response to the forcing.
+
+        Its cell begins where the velocity, that of the first contact, vanishes: a sinusoid of
+        the phase of the forcing there.
+
+        Raises
+        ------
+        NoStepError
+            If there is none.
+        """
+        cell = self.cell(numbers)
+        states = steady(cell, 0)
+        if states is None:
+            raise NoStepError
+        mean, wave = states
+
+        def begun(angle: float) -> Vector:
+            state = mean + (wave * np.exp(1j * angle)).real
+            return self.gathered(numbers, [state], np.array([cell.duration]), angle)
+
+        equations = self.case_of(cell, [])
+        first, second = (
+            self.moving_at(equations, begun(angle), 0, 0.0)[1] for angle in (0.0, np.pi / 2)
+        )
+        return begun(float(np.arctan2(-first, second)))
 
     def orbit(self, case: Case, z: Vector) -> ExactOrbit:
         """Return the exact orbit that Newton's method finds from unknowns of a case."""

@@ -17,7 +17,6 @@ from ...scenes.parameter_error import ParameterError
 from ...simulation.outcome import unset
 from ..course import Course
 from ..events.locate import Found
-from ..for_ever import for_ever
 from ..meeting import halves_apart
 from ..piece import Piece, unit_of
 from ..place import NoStepError, Place
@@ -244,6 +243,6 @@ def _unknowns(event: Found, course: Course, candidate: Candidate) -> Vector:
     """Return the unknowns of a candidate at an event, in the units of its piece."""
     numbers, durations = event.piece.numbers(event.place.y), [q.s for q in candidate.slots]
     if candidate.endless:
-        return for_ever(course, numbers)
+        return course.for_ever(numbers)
     states = [slot.state for slot in candidate.slots]
     return course.gathered(numbers, states, np.array(durations), candidate.angle)
