@@ -164,8 +164,7 @@ def of_blocks(sizes: Vector, blocks: Integers) -> Vector:
     """Return for each entry the largest size in its block."""
     largest = np.zeros(blocks.max() + 1)
     np.maximum.at(largest, blocks, sizes)
-    block_sizes: Vector = largest[blocks]
-    return block_sizes
+    return largest[blocks]
 
 
 def chebyshev(degree: int) -> tuple[Vector, Matrix]:

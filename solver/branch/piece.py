@@ -176,8 +176,7 @@ class Piece:
 
     def singular_vectors(self, y: Vector) -> Matrix:
         """Return the right singular vectors of the Jacobian; the last span its null space."""
-        vectors: Matrix = np.linalg.svd(self.jacobian(y))[2]
-        return vectors
+        return np.linalg.svd(self.jacobian(y))[2]
 
     def stepped(self, place: Place, length: float) -> Place:
         """Return the orbit one step along the branch.

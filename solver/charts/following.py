@@ -49,8 +49,7 @@ def monitors_at(plane: Any, table: Any, y: Vector) -> Vector:
     _, values = tangent_and_monitors(
         row_of(plane, y[n + 1]), table, y[: n + 1], border, extremes, maps
     )
-    monitors: Vector = values
-    return monitors
+    return values
 
 
 def monitor_at(plane: Any, table: Any, monitor: int, y: Vector) -> float:

@@ -41,8 +41,7 @@ class Stretch:
     @property
     def middle(self) -> Vector:
         """The unknowns of the orbit in the middle."""
-        unknowns: Vector = self.points[len(self.points) // 2, :-2]
-        return unknowns
+        return self.points[len(self.points) // 2, :-2]
 
 
 @dataclass(frozen=True)

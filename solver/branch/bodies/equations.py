@@ -77,8 +77,7 @@ def initial_states(case: Any, z: Vector) -> Matrix:
 
 def state_after(case: Any, p: int, t: float, Y: Vector) -> Vector:
     """Return a state a time later in a phase."""
-    state: Vector = Y + gained(case, p, t, Y.reshape(-1, 1))[:, 0]
-    return state
+    return Y + gained(case, p, t, Y.reshape(-1, 1))[:, 0]
 
 
 def state_at(case: Any, z: Vector, p: int, t: float) -> Vector:

@@ -49,8 +49,7 @@ def answers(poles: Complex, omega: float, t: float) -> Complex:
     ratio = np.where(sizable, np.sinh(argument) / argument, 1 + 0j)
     by_sinh = t * np.exp((s + q) * (t / 2)) * ratio
     apart = np.where(near, 1 + 0j, s - q)
-    responses: Complex = np.where(near, by_sinh, (np.exp(s * t) - np.exp(q * t)) / apart)
-    return responses
+    return np.where(near, by_sinh, (np.exp(s * t) - np.exp(q * t)) / apart)
 
 
 def doubled(responses: Complex, poles: Complex, omega: float, t: float) -> Complex:
@@ -95,8 +94,7 @@ def by_basis(
 
 def exp_less_one(matrix: Matrix, t: float) -> Matrix:
     """Return ``exp(A t) - 1`` of a matrix A, with its digits where it is small."""
-    exponential: Matrix = matrix * t + exp_less_two_terms(matrix, t)
-    return exponential
+    return matrix * t + exp_less_two_terms(matrix, t)
 
 
 def exp_less_two_terms(matrix: Matrix, t: float) -> Matrix:

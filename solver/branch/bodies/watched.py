@@ -155,8 +155,7 @@ def meeting(first: Vector, last: Vector, slope: Vector, last_slope: Vector, h: f
     """
     bend = slope - last_slope
     u = (last - first - last_slope * h) / np.where(bend == 0, np.nan, bend)
-    heights: Vector = first + slope * u
-    return heights
+    return first + slope * u
 
 
 def turning(

@@ -71,8 +71,7 @@ def added(way: Any, t: float, y: Matrix) -> Matrix:
     """Return the change of coordinates in a time, by column."""
     generator, poles, drives, omega, _, _ = way
     if len(poles) == 0:
-        change: Matrix = exp_less_one(generator, t) @ y
-        return change
+        return exp_less_one(generator, t) @ y
     return by_basis(poles, drives, omega, answers(poles, omega, t), t, y)
 
 
