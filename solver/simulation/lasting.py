@@ -27,8 +27,8 @@ def lasts(phase: Phase, x: float, v: float, omega: float, angle: float) -> bool:
     mean, wave, far, fast = steady
 
     def positive(form: Form, sign: int = 1) -> bool:
-        ex, ev, _, e0 = form
-        turning = swing(form, wave, omega)
+        ex, ev, ec, e0 = form
+        turning = abs(ex * wave + ev * 1j * omega * wave + ec)  # the amplitude about its mean
         least = sign * (ex * mean + e0) - turning - abs(ex) * far - abs(ev) * fast
         return least >= -ROUNDING * (abs(ex * mean) + abs(e0) + turning)
 
@@ -65,9 +65,3 @@ def response(phase: Phase, omega: float) -> tuple[float, complex] | None:
     if (phase.g and not stiffness) or (k == 0 and phase.f):
         return None
     return phase.f / k if k else 0.0, phase.g / stiffness if phase.g else 0j
-
-
-def swing(form: Form, wave: complex, omega: float) -> float:
-    """Return the amplitude of a form about its mean in a steady response."""
-    ex, ev, ec, _ = form
-    return abs(ex * wave + ev * 1j * omega * wave + ec)

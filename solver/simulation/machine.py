@@ -85,14 +85,9 @@ class Machine:
         """The nodes and their switching surfaces as arrays."""
         return rules_of(self.cell, self.nodes)
 
-    @property
-    def functions(self) -> dict[str, Any]:
-        """The functions over the rules, as plain Python."""
-        return self.family.plain(run.__name__)
-
     def by(self, name: str, *arguments: Any) -> Any:
         """Call a plain function by its name, with the rules and further arguments."""
-        return self.functions[name](self.rules, *arguments)
+        return self.family.plain(run.__name__)[name](self.rules, *arguments)
 
     def number(self, one: Step) -> int:
         """Return the number of a phase, given as a step of an order."""
@@ -102,18 +97,10 @@ class Machine:
         """Return the node of a phase, given as a step of an order."""
         return self.nodes[self.number(one)]
 
-    def effort(self, p: int, state: AnyState, s: float) -> float:
-        """Return the cost of following a phase for a time: see `run.effort`."""
-        return run.effort(self.by("window_of", p, state), s)
-
     def ending(self, p: int, surface: int) -> Step | None:
         """Return the phase whose event ends phase p on a surface; None if there is none."""
         number = NONE if surface == NONE else self.rules.endings[p, surface]
         return None if number == NONE else self.nodes[number].step
-
-    def has_rest(self, surface: int) -> bool:
-        """Whether the scene has a rest at the place of a surface."""
-        return bool(self.by("has_rest", surface))
 
     def begin(self, state: AnyState) -> tuple[int, AnyState] | None:
         """Return the first phase of a motion from a state, and its start; None if none."""

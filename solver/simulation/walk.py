@@ -13,9 +13,10 @@ from .steps.chatter import CHATTER, accumulates, end_of
 from .steps.clock import Clock, at_start
 from .steps.column import NONE
 from .steps.locate import BEYOND, EVENT, LOST, MOST_STEPS
-from .steps.run import MOST_PHASES
+from .steps.run import MOST_PHASES, effort
 from .steps.state import AnyState
 from .steps.step import CHATTERS, REFUSED, Passed
+from .steps.switches import has_rest
 
 #: So many pairs of phases, each less than half as long as the one before, are chatter.
 PAIRS = 4
@@ -58,7 +59,7 @@ def walk(
     until : float
         The time at which the motion ends, without units.
     most : float
-        The effort after which it ends earlier: see `Machine.effort`.
+        The effort after which it ends earlier: see `run.effort`.
 
     Returns
     -------
@@ -70,7 +71,7 @@ def walk(
     left : float
         What is left of `most`.
     """
-    end_time = Fraction(until)
+    end_time, rules = Fraction(until), machine.rules
     segments: list[Segment] = []
     ahead: list[Passed] = []
     while True:
@@ -80,7 +81,7 @@ def walk(
         passed = ahead.pop()
         s, surface = passed.s, passed.surface
         segments.append(machine.recorded(p, state, place.t, s, surface))
-        most -= machine.effort(p, state, s) if most < math.inf else 0.0
+        most -= effort(machine.by("window_of", p, state), s) if most < math.inf else 0.0
         if passed.how == CHATTERS:
             return segments, place, _chatter(case, segments[-1], s + passed.left), most
         if passed.how not in (EVENT, REFUSED) or most < 1:
@@ -101,7 +102,7 @@ def walk(
             resting = max(min(passed.left, float(end_time - t)), 0.0)
             segments.append(machine.recorded(passed.away, passed.behind, t, resting, NONE))
             t += Fraction(resting)
-        elif accumulates(_last(segments)) and (passed.left or not machine.has_rest(surface)):
+        elif accumulates(_last(segments)) and (passed.left or not has_rest(rules, surface)):
             before, last = segments[-2].s, segments[-1].s
             words = _chatter(case, segments[-1], end_of(last, before, last))
             return segments, place, words, most

@@ -30,7 +30,7 @@ from .along import least
 from .phases import body_rules_of
 from .record import BodySegment
 from .regime import Regime, regimes
-from .state import BodyState
+from .state import BodyState, on
 
 #: Modules whose functions follow a motion: common ones, and those of bodies, whose functions
 #: replace those of one mass of the same names.
@@ -81,8 +81,7 @@ class BodyMachine(Machine):
         """Return the state nearest to a given one with given x and v of the first contact."""
         rows = self.regimes[0].contacts[:2, 0].copy()
         rows[:, self.regimes[0].states + 2] -= x, v
-        nearest: BodyState = self.functions["on"](rows, state)
-        return nearest
+        return on(rows, state)
 
     def resting(self, angle: float) -> Iterator[AnyState]:
         """Yield states at rest: at 0, and the equilibria of the phases."""
