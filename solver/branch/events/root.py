@@ -42,7 +42,7 @@ class Search:
     Parameters
     ----------
     size, small : float
-        The larger value at the ends; and what is small beside both.
+        The larger value at the ends (one of them may be NaN), and what is small beside both.
     at, least : float
         Where it was lowest, and how low.
     stalls : int
@@ -54,11 +54,6 @@ class Search:
     at: float = np.nan
     least: float = np.inf
     stalls: int = 0
-
-    @classmethod
-    def between(cls, one: float, other: float) -> "Search":
-        """Return a search from the values at both ends; one of them may be NaN."""
-        return cls(float(np.fmax(one, other)), SMALL * float(np.fmin(one, other)))
 
     def is_over(self, at: float, value: float) -> bool:
         """Whether all beyond the next value is rounding."""
@@ -91,7 +86,8 @@ def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tupl
     own = i - (len(before.monitors) - OWN)
     try:
         monitor = beyond_circle(piece, *map(place_at, ends)) if own == OUTSIDE else of_monitor
-        search = Search.between(*(abs(monitor(place_at(at))) for at in ends))
+        one, other = (abs(monitor(place_at(at))) for at in ends)
+        search = Search(float(np.fmax(one, other)), SMALL * float(np.fmin(one, other)))
 
         def value(at: float) -> float:
             try:

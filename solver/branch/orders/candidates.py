@@ -5,7 +5,7 @@ A phase of duration zero is inserted or removed, by the rules of which phase may
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import islice, product
+from itertools import product
 
 from ...scenes.orders import Step, image
 from ..events.locate import Found
@@ -49,8 +49,7 @@ class AtEvent(Reading):
         Its neighbours become one if they are alike, or the one before ends by another event.
         """
         if len(orbit.slots) > 1:
-            begun = next(islice(self.rotations(orbit), i, None))
-            slots, angle = list(begun.slots), begun.angle
+            slots, angle = self.begun_at(orbit, i)
             if self.leaps(p):
                 yield Candidate(tuple(slots[1:]), self.half, angle)
             else:
@@ -72,14 +71,14 @@ class AtEvent(Reading):
 
     def _uncrossed(self, p: int) -> Iterator[Candidate]:
         """Yield orders in which phase p goes on at its event, or ends by another."""
-        slots, angle = self.begun_at((p + 1) % len(self.slots))
+        slots, angle = self.begun_at(self.orbit, (p + 1) % len(self.slots))
         if self.alike(slots[-1].step, self.next_cell(slots[0]).step):
             yield from self._joined(slots, angle)
         yield from self._ended_otherwise(slots, angle)
 
     def _visited(self, p: int, demand: int) -> Iterator[Candidate]:
         """Yield orders in which a demand ends phase p, and one phase or two lie beyond it."""
-        slots, angle = self.begun_at((p + 1) % len(self.slots))
+        slots, angle = self.begun_at(self.orbit, (p + 1) % len(self.slots))
         last, after = slots[-1], self.next_cell(slots[0])
         ended = self.ended_by(last.step, demand)
         if ended is None:
@@ -119,12 +118,8 @@ class AtEvent(Reading):
             angle += self.cell.omega * slots[0].s
             yield Candidate((*slots[1:-1], joined), self.half, angle)
         elif self.goes_on(last.step):
-            yield self._endless(last, angle)
-
-    def _endless(self, slot: Slot, angle: float) -> Candidate:
-        """Return a motion of one phase that fills the cell."""
-        whole = replace(slot, s=slot.s * (2 if self.half else 1))
-        return Candidate((whole,), False, angle, endless=True)
+            whole = replace(last, s=last.s * (2 if self.half else 1))  # it fills the cell
+            yield Candidate((whole,), False, angle, endless=True)
 
     def _between(self, p: int) -> Iterator[Candidate]:
         """Yield orders with one more phase behind phase p."""

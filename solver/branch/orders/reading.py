@@ -70,9 +70,9 @@ class Reading:
         assert mirrored is not None
         return replace(slot, step=mirrored, state=tuple(-component for component in slot.state))
 
-    def begun_at(self, p: int) -> tuple[list[Slot], float]:
-        """Return the phases of one cell from phase p on, and the angle where p begins."""
-        begun = next(islice(self.rotations(self.orbit), p, None))
+    def begun_at(self, orbit: Candidate, p: int) -> tuple[list[Slot], float]:
+        """Return the phases of a cell of an orbit from phase p on, and the angle there."""
+        begun = next(islice(self.rotations(orbit), p, None))
         return list(begun.slots), begun.angle
 
     def leaps(self, p: int) -> bool:
