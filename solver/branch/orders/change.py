@@ -78,9 +78,7 @@ def _by_motion(at_event: AtEvent, y: Vector, most: float) -> tuple[Piece, Place]
     course, number = candidate.course(piece.course), piece.number(y)
     if any(each.course(piece.course) == piece.course for each in at_event.rotations(candidate)):
         raise NoStepError
-    states, durations = zip(*((slot.state, slot.s) for slot in candidate.slots), strict=True)
-    numbers = piece.numbers(y)
-    z = course.gathered(numbers, states, np.array(durations), candidate.angle)
+    z = _unknowns(course, candidate, piece.numbers(y))
     unknowns = np.append(z, number)
     bare = Piece.at(course, piece.case, piece.index, piece.bounds, unknowns, ())
     border = np.append(np.zeros(len(z)), np.copysign(1.0, y[-1] - at_event.event.place.y[-1]))
@@ -124,7 +122,7 @@ def doubled(event: Found) -> tuple[Piece, Place] | None:
     order = Order(tuple(slot.step for slot in slots))
     cycles = piece.course.cycles * (1 if at_event.half else 2)
     course = replace(piece.course, order=order, cycles=cycles)
-    z = _unknowns(event, course, Candidate(slots, False, at_event.angle))
+    z = _unknowns(course, Candidate(slots, False, at_event.angle), piece.numbers(place.y))
     unknowns = np.append(z, piece.number(event.place.y))
     bare = Piece.at(course, piece.case, piece.index, piece.bounds, unknowns, ())
     y = bare.of_number(unknowns)
@@ -160,7 +158,7 @@ def begun_anew(piece: Piece, place: Place, course: Course) -> list[Vector]:
     for each in islice(at_event.rotations(at_event.orbit), 1, None):
         if each.course(piece.course) == course:
             with suppress(ArithmeticError):  # with a memory no state may belong to these times
-                z = _unknowns(at_event.event, course, each)
+                z = _unknowns(course, each, piece.numbers(place.y))
                 every_begin.append(np.append(z, place.y[-1]))
     return every_begin
 
@@ -175,7 +173,7 @@ def _orbit_beyond(event: Found, candidate: Candidate, ahead: float) -> tuple[Pie
     """
     piece = event.piece
     course = candidate.course(piece.course)
-    z = _unknowns(event, course, candidate)
+    z = _unknowns(course, candidate, piece.numbers(event.place.y))
     count, forced = len(candidate.slots), piece.cell.forced
     at_s = len(z) - count - forced
     inserted = [at_s + i for i in candidate.grows]
@@ -239,10 +237,9 @@ def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
     return piece, place
 
 
-def _unknowns(event: Found, course: Course, candidate: Candidate) -> Vector:
-    """Return the unknowns of a candidate at an event, in the units of its piece."""
-    numbers, durations = event.piece.numbers(event.place.y), [q.s for q in candidate.slots]
+def _unknowns(course: Course, candidate: Candidate, numbers: tuple[float, ...]) -> Vector:
+    """Return the unknowns of a candidate for parameters without units."""
     if candidate.endless:
         return course.for_ever(numbers)
-    states = [slot.state for slot in candidate.slots]
+    states, durations = zip(*((slot.state, slot.s) for slot in candidate.slots), strict=True)
     return course.gathered(numbers, states, np.array(durations), candidate.angle)
