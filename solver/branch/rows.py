@@ -7,7 +7,6 @@ import numpy as np
 from ..results.branch import BranchEvent
 from ..results.family import FamilyRow
 from ..scenes.case import index_of
-from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import of_monodromy
 from .events.locate import Found
 from .piece import Piece
@@ -28,7 +27,7 @@ def row_of(piece: Piece, place: Place, regular: bool = True) -> FamilyRow:
     multipliers, stable = None, None
     matrix, size = piece.maps(place)
     if regular and np.isfinite(matrix).all() and np.isfinite(size).all():
-        stability = of_monodromy(cell, Monodromy(matrix, size, forgotten(cell)))
+        stability = of_monodromy(cell, matrix, size)
         multipliers, stable = tuple(map(complex, stability.multipliers)), stability.stable
     turn = float(place.y[-2]) % (2 * math.pi) if cell.forced else None
     strobe = None if turn is None else _at_phase_zero(piece, place, turn)

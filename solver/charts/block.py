@@ -13,7 +13,6 @@ from ..branch.walk import MODULES
 from ..kernels import linking
 from ..kernels.compiling import rebuilt
 from ..kernels.family import Family
-from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import ROUNDING, of_monodromy
 from . import filling, following
 from .plane import Plane
@@ -153,8 +152,7 @@ def stability_of(plane: Plane, maps: Any) -> Integers:
     verdicts = np.where(margin > 0, STABLE, UNSTABLE)
     verdicts[~finite | (np.abs(margin) <= ROUNDING / 2)] = NEITHER
     doubtful = np.abs(margin) <= np.sqrt(ROUNDING * norm) * (1 + norm)
-    lost = forgotten(cell)
     for k in np.flatnonzero(doubtful & (verdicts != NEITHER)):
-        stable = of_monodromy(cell, Monodromy(matrices[k, 0], matrices[k, 1], lost)).stable
+        stable = of_monodromy(cell, *matrices[k]).stable
         verdicts[k] = {True: STABLE, None: NEITHER, False: UNSTABLE}[stable]
     return verdicts

@@ -1,6 +1,5 @@
 """The monodromy matrix of one cell of an orbit, at the orbit's own times and states."""
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,27 +27,11 @@ class NoMultipliersError(ArithmeticError):
     """There are no multipliers: an event is touched and not crossed."""
 
 
-@dataclass(frozen=True)
-class Monodromy:
-    """The linear map of perturbations of the state over one cell, from its first switch.
+def monodromy(motion: "Motion") -> tuple[Matrix, Matrix]:
+    """Return the monodromy matrix of a cell of an orbit, and the scale of its rounding errors.
 
-    Parameters
-    ----------
-    matrix : ndarray, shape (n, n)
-        The monodromy matrix of the cell, before a mirrored cell is turned back.
-    size : ndarray, shape (n, n)
-        Scale of the rounding errors of `matrix`.
-    forgotten : int
-        Number of multipliers that are exactly 0; see `forgotten`.
-    """
-
-    matrix: Matrix
-    size: Matrix
-    forgotten: int
-
-
-def monodromy(motion: "Motion") -> Monodromy:
-    """Return the monodromy matrix of a cell of an orbit; see `cell_map`.
+    It maps perturbations of the state over one cell, from its first switch, before a mirrored
+    cell is turned back; see `cell_map`.
 
     Raises
     ------
@@ -72,7 +55,7 @@ def monodromy(motion: "Motion") -> Monodromy:
                 f"the event that ends {phase.name} is touched, not crossed: "
                 "perturbations are not mapped linearly"
             )
-    return Monodromy(matrix, size, forgotten(cell))
+    return matrix, size
 
 
 def of_body(cell: BodyCell, times: Vector) -> tuple[Matrix, Matrix, Vector]:

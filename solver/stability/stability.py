@@ -10,13 +10,13 @@ import numpy as np
 from ..arrays import Complex, Matrix
 from ..scenes.cell import Cell
 from .cell_map import lasting
-from .monodromy import Monodromy, monodromy
+from .monodromy import forgotten, monodromy
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
 
-#: Rounding errors of the monodromy matrix, relative to `Monodromy.size`, with those of the
-#: times and states from Newton's method.
+#: Rounding errors of the monodromy matrix, relative to their scale, with those of the times
+#: and states from Newton's method.
 ROUNDING = 1e-12
 
 #: Rounding errors of the equations, relative to those of the monodromy matrix.
@@ -64,12 +64,16 @@ def stability(motion: "Motion") -> Stability:
     NoMultipliersError
         If there are none, or a check of the computation failed; with the reason in words.
     """
-    return of_monodromy(motion.case.cell, monodromy(motion))
+    return of_monodromy(motion.case.cell, *monodromy(motion))
 
 
-def of_monodromy(cell: Cell, of_cell: Monodromy) -> Stability:
-    """Return the multipliers of an orbit from the monodromy matrix of its cell."""
-    eigenvalues = _eigenvalues(of_cell)
+def of_monodromy(cell: Cell, matrix: Matrix, size: Matrix) -> Stability:
+    """Return the multipliers of an orbit from the monodromy matrix of its cell.
+
+    `size` is the scale of the rounding errors of the matrix.
+    """
+    lost = forgotten(cell)
+    eigenvalues = _eigenvalues(matrix, lost)
     twice = cell.cells == 2  # the second half is the mirror image of the first
     values, remaining = eigenvalues**2 if twice else eigenvalues, list(range(len(eigenvalues)))
     trivial = None
@@ -78,7 +82,7 @@ def of_monodromy(cell: Cell, of_cell: Monodromy) -> Stability:
         trivial = float(values[index].real)
         remaining.remove(index)
     remaining.sort(key=lambda j: (-abs(values[j]), -values[j].imag))
-    rounding = _rounding(of_cell, eigenvalues, remaining[0]) if remaining else 0.0
+    rounding = _rounding(matrix, size, lost, eigenvalues, remaining[0]) if remaining else 0.0
     near = abs(cell.sign * eigenvalues[remaining[0]] - 1) if remaining else 1.0
     if near**2 <= OF_EQUATIONS * rounding:  # near a fold, the orbit's error is a square root
         rounding = max(rounding, float(near))
@@ -87,23 +91,23 @@ def of_monodromy(cell: Cell, of_cell: Monodromy) -> Stability:
     return Stability(values[remaining], trivial, rounding)
 
 
-def _eigenvalues(of_cell: Monodromy) -> Complex:
+def _eigenvalues(matrix: Matrix, lost: int) -> Complex:
     """Return the eigenvalues of the monodromy matrix of a cell.
 
-    Those that are 0, for parts of the state that are forgotten or decay within a cell, are set
-    and not computed.
+    Those that are 0, for `lost` parts of the state that are forgotten, and others that decay
+    within a cell, are set and not computed.
     """
-    values = np.zeros(len(of_cell.matrix), dtype=complex)
-    if of_cell.forgotten >= len(values) - 1:  # at most one is left: the trace
-        values[: len(values) - of_cell.forgotten] = np.trace(of_cell.matrix)
+    values = np.zeros(len(matrix), dtype=complex)
+    if lost >= len(values) - 1:  # at most one is left: the trace
+        values[: len(values) - lost] = np.trace(matrix)
         return values
-    lasts = lasting(of_cell.matrix)
-    values[: len(lasts)] = np.linalg.eigvals(of_cell.matrix[np.ix_(lasts, lasts)])
-    values[np.argsort(np.abs(values))[: of_cell.forgotten]] = 0.0
+    lasts = lasting(matrix)
+    values[: len(lasts)] = np.linalg.eigvals(matrix[np.ix_(lasts, lasts)])
+    values[np.argsort(np.abs(values))[:lost]] = 0.0
     return values
 
 
-def _rounding(of_cell: Monodromy, values: Complex, j: int) -> float:
+def _rounding(matrix: Matrix, size: Matrix, lost: int, values: Complex, j: int) -> float:
     """Return a first-order bound of the rounding error of eigenvalue j.
 
     ``|l| |E| |r| / |l r|`` with left and right eigenvectors l, r and the error E of the matrix;
@@ -111,19 +115,19 @@ def _rounding(of_cell: Monodromy, values: Complex, j: int) -> float:
     """
     if values[j] == 0:
         return 0.0
-    if of_cell.forgotten >= len(values) - 1:
-        return ROUNDING * float(np.trace(of_cell.size))
-    error = ROUNDING * math.hypot(*of_cell.size.ravel())  # squares of 1e-200 would be 0
+    if lost >= len(values) - 1:
+        return ROUNDING * float(np.trace(size))
+    error = ROUNDING * math.hypot(*size.ravel())  # squares of 1e-200 would be 0
     distance = np.abs(np.delete(values, j) - values[j]).min(initial=np.inf)
     if distance <= np.sqrt(error):
         return float(np.sqrt(error))
-    inverse = _inverse(of_cell.matrix, values[j], min(error, BESIDE * distance))
+    inverse = _inverse(matrix, values[j], min(error, BESIDE * distance))
     left = right = np.cos(np.arange(1.0, 1 + len(values)))  # without symmetry
     for _ in range(ITERATIONS):
         left, right = left @ inverse, inverse @ right
         left, right = left / np.abs(left).max(), right / np.abs(right).max()
     product = abs(left @ right)
-    return ROUNDING * float(np.abs(left) @ of_cell.size @ np.abs(right)) / float(product)
+    return ROUNDING * float(np.abs(left) @ size @ np.abs(right)) / float(product)
 
 
 def _inverse(matrix: Matrix, value: complex, aside: float) -> Complex:

@@ -222,7 +222,7 @@ def test_slow_poles_have_their_own_digits() -> None:
 def test_multipliers_of_what_lasts_are_all() -> None:
     """Of the same beam, of whose 120 multipliers most are nothing."""
     orbit = ns.exact(ns.scene("beam-clearance")(modes=60))
-    matrix = monodromy(orbit).matrix
+    matrix = monodromy(orbit)[0]
     lasts = lasting(matrix)
     assert len(lasts) < 60
     every = np.linalg.eigvals(matrix)
