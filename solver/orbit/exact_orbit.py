@@ -14,7 +14,6 @@ from ..kernels.start import RoughTimes, solved
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..simulation.followers import not_followed
-from ..stability.in_words import in_words
 from . import admissible
 from .shown import Shown
 
@@ -113,13 +112,6 @@ class ExactOrbit(Shown):
     @property
     def look(self) -> None:
         """Style of its curve in pictures: None, the one of all exact orbits."""
-
-    @property
-    def facts(self) -> dict[str, str]:
-        """Lines that a notebook shows."""
-        facts = super().facts
-        head = {name: facts.pop(name) for name in ("scene", "parameters")}
-        return head | {"orbit": "exact"} | facts | {"stability": in_words(self)}
 
     def __repr__(self) -> str:
         return f"<exact orbit of {self.case.scene.label}: {self._times}{self._verdict}>"

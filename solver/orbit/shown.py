@@ -1,11 +1,12 @@
 """How every periodic motion is shown: as text, as a table over time, as a picture."""
 
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from ..presentation.notebook import facts, svg
 from ..presentation.table import COURSE, Table, Tabular
+from ..stability.in_words import in_words
 from .motion import Motion
 
 #: Times per period in a table, unless others are asked for.
@@ -14,6 +15,9 @@ SAMPLES = 1000
 
 class Shown(Motion, Tabular):
     """A motion that can be shown as a picture, a table, or text."""
+
+    #: What its label is called among its facts.
+    _role: ClassVar[str] = "orbit"
 
     @property
     def label(self) -> str:
@@ -33,14 +37,16 @@ class Shown(Motion, Tabular):
 
     @property
     def facts(self) -> dict[str, str]:
-        """Lines that a notebook shows: scene, parameters, period, phases."""
+        """Lines that a notebook shows: scene, parameters, period, phases, stability."""
         scene, turn = self.case.scene, self.forcing_phase
         return {
             "scene": f"{scene.name}: {scene.title}",
             "parameters": self.case.description,
+            self._role: self.label,
             "period": f"{self.period:.10g} s",
             "phases": ", ".join(f"{p.name} {p.duration:.8g} s" for p in self.phases),
             "phase of the forcing": "" if turn is None else f"{turn:.8g} rad",
+            "stability": in_words(self),
         }
 
     @property

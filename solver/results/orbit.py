@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from ..accuracy.estimate import estimate
 from ..existence.known import others
@@ -11,7 +11,6 @@ from ..orbit.errors import Errors
 from ..orbit.exact_orbit import ExactOrbit
 from ..orbit.solution import Solution
 from ..scenes.methods import about, shown
-from ..stability.in_words import in_words
 from ..stability.monodromy import NoMultipliersError
 from ..stability.stability import Stability
 from .document import document
@@ -20,6 +19,8 @@ from .document import document
 @dataclass(frozen=True, eq=False, repr=False)
 class Orbit(Solution):
     """A periodic orbit of a case, computed by one method at one order."""
+
+    _role: ClassVar[str] = "method"
 
     @classmethod
     def of(cls, solution: Solution) -> "Orbit":
@@ -86,12 +87,7 @@ class Orbit(Solution):
     @property
     def facts(self) -> dict[str, str]:
         """Lines that a notebook shows."""
-        facts = super().facts
-        head = {name: facts.pop(name) for name in ("scene", "parameters")}
-        return head | {"method": self.label} | facts | {
-            "stability": in_words(self),
-            "estimated error of the times": f"{self.estimate.times:.1e}",
-        }  # fmt: skip
+        return super().facts | {"estimated error of the times": f"{self.estimate.times:.1e}"}
 
     def __repr__(self) -> str:
         name = shown(self.case.scene, self.method)
