@@ -164,8 +164,7 @@ class Search:
             return failed
         kernel = registry.kernel(self.case.scene, name)
         orbit = self.note(attempt(kernel, self.case, failed.order, times))
-        orbit_times = kernel.times(orbit.unknowns)
-        if orbit.converged and is_singular(self.kernel, self.case, failed.order, orbit_times):
+        if orbit.converged and is_singular(self.kernel, self.case, failed.order, orbit.times):
             return orbit
         return failed
 

@@ -127,6 +127,10 @@ class Given(Motion):
     memory_values = ()
 
     @property
+    def times(self):
+        return np.array([*self.durations_, *[self.angle_] * self.case.cell.forced])
+
+    @property
     def cell_durations(self):
         return np.array(self.durations_)
 

@@ -110,6 +110,6 @@ def exact_flow(which: Problem):
 
     def solve(_: int) -> np.ndarray:
         found = exact_orbit(case, rough[:count] * unit, angle)
-        return np.array([*found.cell_durations, *([found.angle] if case.cell.forced else [])])
+        return found.times
 
     return solve

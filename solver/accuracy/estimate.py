@@ -136,7 +136,7 @@ def _neighbour(orbit: Solution, order: int, is_orbit: bool) -> tuple[Solution, E
         if method is None:
             continue
         kernel = registry.quicker_kernel(orbit.case.scene, method, None, order)
-        neighbour = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
+        neighbour = attempt(kernel, orbit.case, order, orbit.times)
         if not neighbour.converged:
             continue
         change = difference(orbit, neighbour, max(order, orbit.order))

@@ -156,8 +156,7 @@ def unknowns_of(motion: "Motion") -> Vector:
     """Return the unknowns of the exact equations that a motion, exact or not, has."""
     start, phases = np.zeros(1), range(len(motion.case.cell.phases))
     states = [float(motion.part(p, start, j)[0]) for p in phases for j in (0, 1)]
-    turn = [motion.angle] if motion.case.cell.forced else []
-    return np.array([*states, *motion.memory_values, *motion.cell_durations, *turn])
+    return np.array([*states, *motion.memory_values, *motion.times])
 
 
 def motion(cell: Cell, z: Vector, p: int, u: Vector, derivative: int) -> Vector:

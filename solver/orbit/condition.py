@@ -25,8 +25,7 @@ def moved_times(motion: Motion, with_sums: bool = False) -> Vector:
     these sums are rounded as well: velocities, and the events of a body over its modes.
     """
     cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
-    z = unknowns_of(motion)
-    z = kernel.times(z) if kernel.condensed else z
+    z = motion.times if isinstance(cell, BodyCell) else unknowns_of(motion)
     J = np.empty((len(z), len(z)))
     kernel.jacobian(cell, z, J)
     rows = np.abs(J).max(axis=1)

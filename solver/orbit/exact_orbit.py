@@ -52,11 +52,6 @@ class ExactOrbit(Shown):
     def _kernel(self) -> Kernel:
         return exact_kernel(self.case.cell)
 
-    @property
-    def times(self) -> Vector:
-        """Durations and, if forced, the phase of the forcing; without units."""
-        return self._kernel.times(self.outcome.unknowns)
-
     def _least_sizes(self, p: int) -> Vector | float:
         """Return sizes below which signals of a body on phase `p` are mostly rounding."""
         cell = self.case.cell

@@ -81,6 +81,11 @@ class Motion:
         return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
 
     @property
+    def times(self) -> Vector:
+        """Durations of the cell and, if forced, the phase of the forcing; without units."""
+        return self._kernel.times(self.outcome.unknowns)
+
+    @property
     def cell_durations(self) -> Vector:
         """Durations of the phases of the cell, without units."""
         return self._kernel.split(self.outcome.unknowns)[0]

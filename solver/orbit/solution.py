@@ -153,7 +153,7 @@ class Solution(Shown):
         scene, exact = self.case.scene, from_times(self.case, _as_start(self))
         if not self._is_near(exact) and FIRST in registry.methods(scene):
             kernel = registry.quicker_kernel(scene, FIRST, None, FINER)
-            finer = attempt(kernel, self.case, FINER, self._kernel.times(self.unknowns))
+            finer = attempt(kernel, self.case, FINER, self.times)
             beyond = from_times(self.case, _as_start(finer)) if finer.converged else exact
             exact = beyond if self._is_near(beyond) else exact
         return exact if exact.outcome.converged else None

@@ -200,7 +200,7 @@ def _of_method(measured: Kept, exact: ExactOrbit, method: str, order: int) -> Ke
     kernel = registry.kernel(case.scene, method, functions)
     if order < kernel.lowest:
         return measured
-    outcome = attempt(kernel, case, order, kernel.times(exact.outcome.unknowns), functions)
+    outcome = attempt(kernel, case, order, exact.times, functions)
     measured = replace(measured, iterations=outcome.iterations)
     if not (outcome.converged and outcome.admissible):
         return measured

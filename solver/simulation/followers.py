@@ -202,9 +202,8 @@ def _end_of(orbit: "Motion", p: int, angle: float, memory: tuple[float, ...]) ->
     cell, end = orbit.case.cell, np.ones(1)
     if isinstance(cell, BodyCell):
         matrix = parts_of(cell)[p].lawful.A
-        times = np.append(orbit.cell_durations, [orbit.angle] * cell.forced)
         rows = np.eye(len(matrix), len(matrix) + 3 + len(cell.memory))
-        y = seen(cell, times, p, end, rows)[:, 0]
+        y = seen(cell, orbit.times, p, end, rows)[:, 0]
         return BodyState(y, angle, memory=memory)
     x, v = (float(orbit.part(p, end, j)[0]) for j in (0, 1))
     place = cell.place(p)  # without rounding, as in a simulation

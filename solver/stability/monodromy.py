@@ -41,9 +41,7 @@ def monodromy(motion: "Motion") -> tuple[Matrix, Matrix]:
     cell = motion.case.cell
     with np.errstate(all="ignore"):  # an event that is touched is found below
         if isinstance(cell, BodyCell):
-            angle = [motion.angle] if cell.forced else []
-            times = np.array([*motion.cell_durations, *angle])
-            matrix, size, crossed = of_body(cell, times)
+            matrix, size, crossed = of_body(cell, motion.times)
         else:
             phases = range(len(cell.phases))
             speed = max(float(np.abs(motion.part(p, LOOK, 1)).max()) for p in phases)
