@@ -171,8 +171,8 @@ class Search:
     def starts(self) -> Iterator[Vector]:
         """Yield times to start from: those of coarse orbits and of simulations.
 
-        The coarse method may be missing: then rough times.  For the order see `exact.starts`.
-        The last are those of the exact orbit, which may be found where no coarse one is.
+        For the order see `exact.starts`.  The last are those of the exact orbit, which may be
+        found where no coarse one is.
         """
         looked_at = self.case.scene.has_body  # of a body `known` tries all rough times
         rough = () if looked_at else self._coarse()
@@ -189,18 +189,12 @@ class Search:
         yield exact.times
 
     def _coarse(self) -> Iterator[RoughTimes]:
-        """Yield the times of coarse orbits, from rough times; without the method, these."""
-        scene = self.case.scene
-        available = FIRST in registry.methods(scene)
-        class_one = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
-        method = class_one or FIRST
+        """Yield the times of coarse orbits, from rough times."""
+        class_one = registry.class_one(self.case.scene, FIRST)
+        method = (is_reversible(self.case.cell) and class_one) or FIRST
         waves = WAVES * (self.case.cycles - 1)
-        orders = [q + waves for q in COARSE] if available else COARSE[:1]
-        trials = product(orders, rough_times(self.case.cell))
+        trials = product([q + waves for q in COARSE], rough_times(self.case.cell))
         for order, rough in islice(trials, PATIENCE if known(self.case).listed else None):
-            if not available:
-                yield rough
-                continue
             self.words = rough.words
             coarse = _coarse_orbit(self.case, method, order, tuple(self._vector(rough)))
             self.count(coarse)

@@ -53,8 +53,6 @@ def estimate(orbit: Solution) -> Errors:
     """Return the estimated errors of an orbit, without sign; infinite if unknown."""
     if orbit.case.scene.has_body:
         return _with_rounding(orbit, orbit, _against_the_exact_orbit(orbit))
-    if FIRST not in registry.methods(orbit.case.scene):
-        return _against_the_exact_orbit(orbit)
     order = max(orbit.order + MORE, LEAST)
     if orbit.method != FIRST:
         order = min(order, MOST)

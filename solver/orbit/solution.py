@@ -150,9 +150,9 @@ class Solution(Shown):
 
         By Newton's method; where that leads far away, by way of a finer solution.
         """
-        scene, exact = self.case.scene, from_times(self.case, _as_start(self))
-        if not self._is_near(exact) and FIRST in registry.methods(scene):
-            kernel = registry.quicker_kernel(scene, FIRST, None, FINER)
+        exact = from_times(self.case, _as_start(self))
+        if not self._is_near(exact):
+            kernel = registry.quicker_kernel(self.case.scene, FIRST, None, FINER)
             finer = attempt(kernel, self.case, FINER, self.times)
             beyond = from_times(self.case, _as_start(finer)) if finer.converged else exact
             exact = beyond if self._is_near(beyond) else exact
