@@ -93,7 +93,8 @@ def known(case: Case) -> Known:
     complete = scan.complete
     for start in (*scan.certain, *scan.doubtful):
         orbit = from_times(case, RoughTimes(*start, "the scan"))
-        if _apart(orbit, *start) <= NEAR and not _is_among(orbit, known_times):
+        near = orbit.outcome.converged and times_apart(orbit, *start) <= NEAR
+        if near and not _is_among(orbit, known_times):
             orbits.append(orbit)
             known_times.append(orbit.times)
         elif start in scan.certain:
@@ -153,13 +154,6 @@ def _is_none(solution: ExactOrbit) -> bool:
     if seen_violated(solution):
         return True
     return any(not isinstance(why, Undecided) for why in solution.violations)
-
-
-def _apart(orbit: ExactOrbit, durations: tuple[float, ...], angle: float) -> float:
-    """Return the distance of the times of a solution from given ones, relative to the cell."""
-    if not orbit.outcome.converged:
-        return math.inf
-    return times_apart(orbit, durations, angle)
 
 
 def _is_among(orbit: ExactOrbit, others: list[Vector]) -> bool:

@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from ..exact import ExactOrbit
     from ..no_orbit import NoOrbit
     from ..scenes.case import Case
-    from ..scenes.cell import Phase
     from .orbit import Orbit
 
 
@@ -56,14 +55,14 @@ def document_without_orbit(
 ) -> dict[str, Any]:  # fmt: skip
     """Return the document of a missing orbit: the same keys as for an orbit, and `status`."""
     ends = dict.fromkeys(("displacement", "velocity"))
+    phases = () if case.scene.motions else case.cell.phases * case.cell.cells
     content = {
         **_head(case, method, order, functions),
         "converged": False,
         "iterations": finding.iterations,
         "residual_norm": None,
         "phases": [
-            {"name": phase.name, "duration": None, "start": dict(ends)}
-            for phase in _phases(case)
+            {"name": phase.name, "duration": None, "start": dict(ends)} for phase in phases
         ],
         "period": None,
         "forcing_phase": None,
@@ -101,11 +100,6 @@ def _head(
         "functions": functions,
         "parameters": dict(case.values),
     }
-
-
-def _phases(case: "Case") -> "tuple[Phase, ...]":
-    """Return the phases of a period; none if the scene has several motions."""
-    return () if case.scene.motions else case.cell.phases * case.cell.cells
 
 
 def errors_of(errors: Errors | None) -> dict[str, float | None]:
