@@ -17,6 +17,7 @@ than rounding errors; see `enclosure`.  These hypotheses are checked.
 
 import math
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -66,13 +67,9 @@ def solutions(cell: Cell) -> Solutions:
     >>> [[f"{s:.6f}" for s in durations] for durations, _ in all_of.certain], all_of.complete
     ([['0.898473', '2.243120']], True)
     """
-
-    def determinants(s: Matrix) -> Matrix:
-        return _determinants(cell, s)
-
     with np.errstate(all="ignore"):
         try:
-            roots = enclosure.roots(determinants, cell.duration * _edges())
+            roots = enclosure.roots(partial(_determinants, cell), cell.duration * _edges())
             complete = roots.complete and not _shorter(cell).any()
             likely = _starts(cell, roots.places, roots.signs)
             few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
