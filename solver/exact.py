@@ -64,7 +64,7 @@ def exact_orbit(
     """
     check_case(case)
     if len(durations):
-        return _of_motion(case, durations, forcing_phase)
+        return _of_motion(case, _given(case, durations, forcing_phase))
     try:
         orbit = next(iter(known_orbits(case)), None) or of_any_motion(case, _of_motion)
     except NoOrbit:
@@ -142,11 +142,8 @@ def _declared(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
                     yield each, settled.times
 
 
-def _of_motion(
-    case: Case, durations: Sequence[float] = (), forcing_phase: float = 0.0
-) -> ExactOrbit:
+def _of_motion(case: Case, guess: RoughTimes | None = None) -> ExactOrbit:
     """Return the exact orbit of a case of one motion; see `exact_orbit`."""
-    guess = _given(case, durations, forcing_phase)
     tried: list[str] = []
     iterations = 0
     patience = PATIENCE if known(case).listed or case.scene.has_body else None
@@ -192,10 +189,8 @@ def starts(
         yield from at_hand
 
 
-def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes | None:
-    """Return the given times in SI units without units; None if none are given."""
-    if not len(durations):
-        return None
+def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes:
+    """Return the given times in SI units without units."""
     count = len(case.cell.phases)
     if len(durations) != count or not all(0 < s < np.inf for s in durations):
         expected = f"{count} positive number{'s' if count > 1 else ''}, one a phase of a cell"
