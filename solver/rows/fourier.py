@@ -55,10 +55,7 @@ def unknowns_of_switch(kinds, p):
 def unknowns_beside(case):
     """Return the number of unknowns besides the 2 N of harmonics of numbers above 0."""
     kinds, _, setting, _, cell = case[:5]
-    count = len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
-    for p in range(len(kinds)):
-        count += unknowns_of_switch(kinds, p)
-    return count if odd(cell[0]) else count + 1
+    return places(case, 0)[len(kinds)] + len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
 
 
 def places(case, N):
