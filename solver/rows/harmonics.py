@@ -108,24 +108,17 @@ def weighted_integrals(integrals, weights, power, ends, period):
     return sums
 
 
-def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
-    """Return ``mean + sum a_n sin(n omega_0 t) + b_n cos(n omega_0 t)``, or a derivative."""
-    t = np.asarray(t)
-    angle = np.multiply.outer(t, numbers * omega_0)
-    factor = (numbers * omega_0) ** derivative
-    sine, cosine = np.sin(angle + derivative * pi / 2), np.cos(angle + derivative * pi / 2)
-    constant = mean if derivative == 0 else 0.0
-    return constant + sine @ (factor * a) + cosine @ (factor * b)
+def series_on_phase(a, b, numbers, omega_0, start, s, begins, ends, u, derivative):
+    """Return ``sum a_n sin(n omega_0 t) + b_n cos(n omega_0 t)`` on a phase, or a derivative.
 
-
-def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, derivative):
-    """Return the motion on a phase from its Fourier series, at local times u from 0 to 1.
-
-    Where the velocity jumps, by `begins` or `ends`, the series has the mean of both sides; the
-    velocity returned at u = 0 and u = 1 is the limit from within the phase.
+    At local times u from 0 to 1.  Where the velocity jumps, by `begins` or `ends`, the series
+    has the mean of both sides; the velocity returned at u = 0 and u = 1 is the limit from
+    within the phase.
     """
-    u = np.asarray(u, dtype=float)
-    motion = harmonic_motion(mean, a, b, numbers, omega_0, start + s * u, derivative)
+    u, omega = np.asarray(u, dtype=float), numbers * omega_0
+    angle = np.multiply.outer(start + s * u, omega) + derivative * pi / 2
+    factor = omega**derivative
+    motion = np.sin(angle) @ (factor * a) + np.cos(angle) @ (factor * b)
     if derivative == 1:
         motion = motion + begins / 2 * (u == 0) - ends / 2 * (u == 1)
     return motion

@@ -231,9 +231,8 @@ def motion(case, z, p, u, derivative):
     q, turned = (p + 1, 1.0) if p + 1 < count else (0, sign)
     begins = z[at[p]] if jumps(kinds, p) else 0.0
     leaves = turned * z[at[q]] if jumps(kinds, q) else 0.0
-    values = series_on_phase(
-        0.0, a, b, numbers, 2 * pi / period, ends[p], s, begins, leaves, u, derivative
-    )
+    omega_0 = 2 * pi / period
+    values = series_on_phase(a, b, numbers, omega_0, ends[p], s, begins, leaves, u, derivative)
     for factor, series in on_phase(case, z, at, ends, p):
         values = values + factor * legendre_on_phase(series, s, u, derivative)
     return values

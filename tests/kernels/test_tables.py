@@ -158,7 +158,7 @@ def test_a_phase_is_its_acceleration_integrated_twice():
 
 def test_a_series_has_the_velocity_of_its_side_at_the_ends_alone():
     a, b, u = np.array([0.2, 0.1]), np.array([0.5, -0.3]), np.array([0.0, 0.3, 1.0])
-    arguments = (0.1, a, b, np.array([1, 2]), 1.4, 0.2, 3.0)
+    arguments = (a, b, np.array([1, 2]), 1.4, 0.2, 3.0)
     smooth = [series_on_phase(*arguments, 0.0, 0.0, u, order) for order in range(3)]
     turned = [series_on_phase(*arguments, 0.6, -0.8, u, order) for order in range(3)]
     np.testing.assert_array_equal(turned[0], smooth[0])
