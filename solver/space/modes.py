@@ -26,13 +26,19 @@ from .expansions.methods import (
 from .expansions.shapes import jump_mismatch, shape_of
 from .mode import Mode, Shapes
 from .structure import Structure, load
-from .tolerance import to_tolerance
 
 #: Default method, order and number of modes.
 METHOD, ORDER, COUNT = "ritz-ck", 8, 6
 
 #: Most places of a table of shapes.
 MOST_POINTS = 1_000_000
+
+#: Orders that are tried for a tolerance, in this sequence, up to the highest of the method.
+TRIED = (*range(1, 17), 20, 24, 28, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 1024, 4096)
+
+
+class ToleranceNotMet(ValueError):  # noqa: N818  (named like the other errors of the package)
+    """No order of a method brings all modes within the tolerance."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -237,13 +243,32 @@ def modes(
         raise ValueError(f"tol: got {tol!r} with order {order!r}, expected one of them")
     if not is_number(tol) or not 0 < tol < 1:
         raise ValueError(f"tol: got {tol!r}, expected a number above 0 and below 1")
-    number, highest = whole("count", COUNT if count is None else count), HIGHEST[method]
-    return to_tolerance(
-        lambda order: at_order(attached, method, order, K, number),
-        lambda found: max(_off(mode) for mode in found),
-        range(min(max(number, 2), highest), highest + 1),
-        float(tol),
-        shown(attached.structure, method),
+    number = whole("count", COUNT if count is None else count)
+    return _within(attached, method, K, number, float(tol))
+
+
+def _within(attached: Attached, method: str, K: int, count: int, tol: float) -> Modes:
+    """Return the modes at the lowest order of `TRIED` with all of them within a tolerance.
+
+    Raises
+    ------
+    ToleranceNotMet
+        If none is.
+    """
+    highest, reached = HIGHEST[method], math.inf
+    for order in (*(q for q in TRIED if q < highest), highest):
+        try:
+            found = at_order(attached, method, order, K, count)
+        except ValueError:
+            if order < min(max(count, 2), highest):
+                continue  # fewer modes than wanted
+            raise
+        reached = max(_off(mode) for mode in found)
+        if reached <= tol:
+            return found
+    raise ToleranceNotMet(
+        f"tol: got {tol:g}, no order of {shown(attached.structure, method)} is within it; "
+        f"order {highest} reaches {reached:.1e}"
     )
 
 

@@ -48,10 +48,9 @@ if TYPE_CHECKING:
     from .solver.simulation.record import Simulation
     from .solver.simulation.simulate import simulate
     from .solver.space.mode import Mode
-    from .solver.space.modes import Modes, modes
+    from .solver.space.modes import Modes, ToleranceNotMet, modes
     from .solver.space.structure import UnknownStructure
     from .solver.space.structure import names as structures
-    from .solver.space.tolerance import ToleranceNotMet
     from .solver.strobe import basins, diagram
     from .solver.sweep import sweep
     from .solver.trade.choice import NotCertified, TooSlow
@@ -81,7 +80,7 @@ _HOMES = {
     "Sweep": ("solver.results.sweep", "Sweep"),
     "Simulation": ("solver.simulation.record", "Simulation"),
     "StickSlip": ("kim_perkins", "StickSlip"),
-    "ToleranceNotMet": ("solver.space.tolerance", "ToleranceNotMet"),
+    "ToleranceNotMet": ("solver.space.modes", "ToleranceNotMet"),
     "TooSlow": ("solver.trade.choice", "TooSlow"),
     "UnknownScene": ("solver.scenes.loaded", "UnknownScene"),
     "UnknownStructure": ("solver.space.structure", "UnknownStructure"),

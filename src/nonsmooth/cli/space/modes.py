@@ -10,10 +10,9 @@ from nonsmooth.files.json_text import sealed
 from nonsmooth.solver.scenes.parameter_error import ParameterError, whole
 from nonsmooth.solver.space.attached import Attached, attach
 from nonsmooth.solver.space.expansions.methods import METHODS
-from nonsmooth.solver.space.modes import MOST_POINTS, Modes, modes
+from nonsmooth.solver.space.modes import MOST_POINTS, Modes, ToleranceNotMet, modes
 from nonsmooth.solver.space.position import as_fraction
 from nonsmooth.solver.space.structure import Structure
-from nonsmooth.solver.space.tolerance import ToleranceNotMet
 
 from ..about import Given, flag
 from ..output import DATA, PICTURES, Destination, drawn_by
