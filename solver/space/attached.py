@@ -177,20 +177,15 @@ def attach(structure: Structure, position: object = POSITION, **given: float) ->
         if not is_number(value) or value == 0 or (value < 0 and not signed):
             expected = f"a number {'other than' if signed else 'above'} 0 in {specs[name].unit}"
             errors.append(f"{name}: got {value!r:.60}, expected {expected}")
-            errors[-1] += _why_not(structure, name, value)
+            if is_number(value) and value == 0 and name == structure.attached.name:
+                what = f"it is the bare {structure.bare}"
+                errors[-1] += f" (without the attachment beta L is n pi: {what})"
     if not errors:
         attached = Attached(structure, {name: float(v) for name, v in values.items()}, a)
         errors += _unstable(attached) or _extremes(attached)
         if not errors:
             return attached
     raise ParameterError(errors)
-
-
-def _why_not(structure: Structure, name: str, value: object) -> str:
-    """Return a remark for a message, if an attachment of strength 0 is asked for."""
-    if name != structure.attached.name or not is_number(value) or value != 0:
-        return ""
-    return f" (without the attachment beta L is n pi: it is the bare {structure.bare})"
 
 
 def _unstable(attached: Attached) -> list[str]:

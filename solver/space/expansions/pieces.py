@@ -6,7 +6,6 @@ matrix of the bare structure is the identity.  Integrated m times it gives ``u``
 inverse square roots of the eigenvalues: the lowest ones have full relative accuracy.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -46,7 +45,10 @@ class Pieces:
     def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
         """Return a derivative at places `x`, a row for each function; see `Shapes`."""
         x, (a, b) = np.asarray(x, dtype=float), self.lengths
-        before, behind = _derivative(self, derivative)
+        before, behind = (
+            legendre.legder(part, derivative) * (2 / h) ** derivative
+            for part, h in zip(self.coefficients, self.lengths, strict=True)
+        )
         left = legendre.legval(np.where(x < a, 2 * x / a - 1, 1.0), before)
         right = legendre.legval(np.where(x > a, 1 - 2 * (1 - x) / b, -1.0), behind)
         return joined(x, a, left, right, side)
@@ -80,12 +82,6 @@ class Pieces:
             part[0] -= slope * middle
             part[1] -= slope * h / 2
         return Pieces(self.lengths, coefficients)
-
-
-def _derivative(pieces: Pieces, derivative: int) -> Iterator[Matrix]:
-    """Yield the coefficients of a derivative on each segment."""
-    for part, h in zip(pieces.coefficients, pieces.lengths, strict=True):
-        yield legendre.legder(part, derivative) * (2 / h) ** derivative
 
 
 def _norms(lengths: tuple[float, float], size: int) -> Matrix:
