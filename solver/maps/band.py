@@ -86,11 +86,9 @@ def solve_block(D: Matrix, B: Matrix, first: int, last: int) -> None:
         B[PAD + 1, c] = D[PAD + 1, PAD - 1] * low + D[PAD + 1, PAD] * high
 
 
-def substitute(
-    D: Matrix, wide: bool, B: Matrix, begin: int, end: int, first: int, last: int
-) -> None:
-    """Overwrite rows ``begin:end`` of columns with the solution; lower ones are solved."""
-    for i in range(PAD + max(begin, BLOCK), PAD + end):
+def substitute(D: Matrix, wide: bool, B: Matrix, end: int, first: int, last: int) -> None:
+    """Overwrite rows up to `end` of columns with the solution; those of the block have it."""
+    for i in range(PAD + BLOCK, PAD + end):
         for c in range(first, last):
             value = B[i, c] - D[i, PAD - 1] * B[i - 1, c] - D[i, PAD - 2] * B[i - 2, c]
             if wide:
@@ -104,7 +102,7 @@ def solve(
     """Overwrite columns ``first:last`` of right sides with the solutions."""
     eliminate(D, exchanged, rows, B, first, last)
     solve_block(D, B, first, last)
-    substitute(D, wide, B, 0, rows, first, last)
+    substitute(D, wide, B, rows, first, last)
 
 
 def add_full(

@@ -163,7 +163,7 @@ def solve_phase(
 def complete(room: Matrix, marks: Any, rows: int) -> None:
     """Solve for the remaining rows of the value, if any."""
     if not marks[DONE]:
-        substitute(room, marks[WIDE], room, 0, rows, VALUE, DURATION)
+        substitute(room, marks[WIDE], room, rows, VALUE, DURATION)
         marks[DONE] = True
 
 

@@ -95,7 +95,7 @@ def phase_rate(
         eliminate(room, marks, rows, room, DURATION, min(last, forced))
         eliminate(room, marks, rows, room, LAST, last)
     solve_block(room, room, DURATION, last)
-    substitute(room, wide, room, 0, rows if full else needed, DURATION, last)
+    substitute(room, wide, room, rows if full else needed, DURATION, last)
     if full:
         add_full(room, FULL, rows, room, DURATION, last, needed)
 

@@ -16,10 +16,7 @@ from ..arrays import Matrix, Vector
 from ..iteration.iteration import iterate_within
 from ..iteration.linear import least_squares
 from ..iteration.single import POINTS
-from ..rows.joints import (
-    joint_rates,
-    joints,
-)
+from ..rows.joints import joint_rates, joints
 from ..rows.polynomials import order_of
 from .alone import given_alone, given_last
 from .one_by_one import known_begin, one_by_one
