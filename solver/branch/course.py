@@ -11,7 +11,7 @@ from ..arrays import Integers, Matrix, Vector
 from ..bodies.systems import BodyError
 from ..existence.reasons import steady
 from ..flow.exact_system import angles, arrays, phase_numbers, places
-from ..flow.flow import state_at
+from ..flow.responses import state_at
 from ..kernels.family import Family
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
 from ..rows.joints import F

@@ -9,9 +9,6 @@ from ..scenes.cell import Phase
 from . import responses
 from .divided import of_three_at, of_two_at
 
-#: Displacement and velocity at one time; see `motion`.
-state_at = responses.state_at
-
 
 def roots(phase: Phase) -> tuple[complex, complex]:
     """Return the roots of ``m r**2 + c r + k = 0``, the one of smaller modulus first."""

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..arrays import Integers, Matrix
-from ..flow import divided, flow, responses
+from ..flow import divided, responses
 from ..kernels import linking
 from ..kernels.family import Family
 from ..scenes.cell import Cell
@@ -124,7 +124,7 @@ class Machine:
     def lasts(self, segment: Segment) -> bool:
         """Return whether a phase of a motion is proven to last for ever; see `lasting`."""
         omega, s = self.cell.omega, segment.s
-        x, v = flow.state_at(segment.phase, segment.x, segment.v, segment.angle, omega, s)
+        x, v = responses.state_at(segment.phase, segment.x, segment.v, segment.angle, omega, s)
         return lasts(segment.phase, x, v, omega, segment.angle + omega * s)
 
     def strobed(self, start: AnyState, cycles: int) -> tuple[Matrix, Integers, int]:

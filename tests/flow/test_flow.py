@@ -6,7 +6,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from nonsmooth.solver.flow import exact_system, flow
+from nonsmooth.solver.flow import exact_system, flow, responses
 from nonsmooth.solver.flow.divided import expm1, of_three, of_three_at, of_two, of_two_at
 from nonsmooth.solver.flow.responses import by_change
 from nonsmooth.solver.scenes.cell import Cell, Phase
@@ -81,7 +81,7 @@ def test_motion_and_derivatives(name) -> None:
             [[float((y[i] - (x, v)[i]) / small) for y in columns] for i in (0, 1)]
         )
     gained, *derivatives = ended(phase, omega, s)
-    found = flow.state_at(phase, *START, ANGLE, omega, s)
+    found = responses.state_at(phase, *START, ANGLE, omega, s)
     # velocities are of the size of the fastest rate, which multiplies their rounding errors
     rate = max(1.0, math.sqrt(abs(numbers[2] / numbers[0])))
     size = np.abs(state).max()
@@ -103,13 +103,13 @@ def test_motion_satisfies_its_equation_in_between(name) -> None:
     residual = m * a + c * v + k * x - f - g * np.cos(omega * t + ANGLE)
     size = max(m * np.abs(a).max(), abs(c) * np.abs(v).max(), abs(k) * np.abs(x).max(), 1)
     np.testing.assert_allclose(residual, 0, atol=1e-14 * size)
-    end = flow.state_at(phase, *START, ANGLE, omega, s)
+    end = responses.state_at(phase, *START, ANGLE, omega, s)
     np.testing.assert_allclose([x[-1], v[-1]], end, rtol=1e-14)
 
 
 def test_a_held_phase_keeps_its_speed() -> None:
     phase = Phase("p", 1, 0, 0, 0, 0, True, 1.5, (1, 0, 0, 0), 1, 0, ())
-    assert flow.state_at(phase, 0.5, 99.0, 0.0, 0.0, 2.0) == (3.5, 1.5)
+    assert responses.state_at(phase, 0.5, 99.0, 0.0, 0.0, 2.0) == (3.5, 1.5)
     t = np.array([0.0, 2.0])
     assert flow.motion(phase, np.array([0.5, 9.0]), 0, 0, t, 0).tolist() == [0.5, 3.5]
     assert flow.motion(phase, np.array([0.5, 9.0]), 0, 0, t, 2).tolist() == [0, 0]
@@ -151,7 +151,7 @@ def test_what_is_beyond_float64_is_infinite_or_no_number() -> None:
     """A trial of Newton's method may have any duration."""
     phase = Phase("p", 1, -1.0, 1, 0.5, 0.2, False, 0, (1, 0, 0, 0), 1, 0, ())
     for duration in (1e4, 1e5, 1e300):
-        assert not np.isfinite(flow.state_at(phase, 0.5, 9.0, 0.3, 1.7, duration)).all()
+        assert not np.isfinite(responses.state_at(phase, 0.5, 9.0, 0.3, 1.7, duration)).all()
         assert not np.isfinite(ended(phase, 1.7, duration)[0]).all()
     assert expm1(complex(1e-9, 1e-9)) == pytest.approx(complex(1e-9, 1e-9), rel=1e-8)
     assert expm1(complex(0.0, 3e-8)).real == pytest.approx(-4.5e-16, rel=1e-12)
