@@ -11,6 +11,7 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import cached_property
 from pathlib import Path
 
 from .numba_cache import owned
@@ -43,7 +44,6 @@ class Account:
         self.is_compiled = False
         self._file, self._name = file, name
         self._cached, self._looked = False, -1.0
-        self._before: float | None = None
         self._kept = 0.0
 
     @contextmanager
@@ -84,15 +84,13 @@ class Account:
             self._looked = self.seconds
         return self._cached
 
-    @property
+    @cached_property
     def before(self) -> float:
         """Seconds that the kernel has taken in earlier processes, as far as they kept them."""
-        if self._before is None:
-            self._before = 0.0
-            with suppress(OSError, ValueError):
-                kept = float(self._file_of_seconds.read_text())
-                self._before = kept if kept > 0 else 0.0
-        return self._before
+        kept = 0.0
+        with suppress(OSError, ValueError):
+            kept = float(self._file_of_seconds.read_text())
+        return kept if kept > 0 else 0.0
 
     def _keep(self) -> None:
         """Keep the seconds beside numba's cache, if that can be, whenever they have doubled."""

@@ -10,12 +10,7 @@ from ...generated import force_series
 from ..arrays import Matrix, Vector
 from ..bodies import exact
 from ..bodies import motion as motions
-from ..bodies.force_series import (
-    events,
-    integrals,
-    one_by_one,
-    series,
-)
+from ..bodies.force_series import events, integrals, one_by_one, series
 from ..bodies.force_series.layout import setting
 from ..bodies.harmonics import system as harmonics
 from ..bodies.motion import Given

@@ -52,15 +52,6 @@ def inner(function: types.FunctionType, *, counted: bool = True) -> Any:
     return numba.njit(pipeline_class=Inner, **options)(function)
 
 
-def entry(compiled: Any) -> Any:
-    """Return an `inner` function compiled for calls from Python, cached if possible.
-
-    Anything else (a constant, or a function if numba is disabled) is returned unchanged.
-    """
-    options = getattr(compiled, "targetoptions", None)
-    return compiled if options is None else jit(compiled.py_func, **options)
-
-
 def jit(function: types.FunctionType, **options: Any) -> Any:
     """Return `function` compiled, with numba's cache if it can be used."""
     import numba  # noqa: PLC0415  (see `inner`)
@@ -78,16 +69,21 @@ def jit(function: types.FunctionType, **options: Any) -> Any:
 
 
 class Entries(dict[str, Any]):
-    """Compiled functions by their names; each is compiled for Python at its first use."""
+    """`inner` functions by their names; each is compiled for Python at its first use.
+
+    Anything else (a constant, or a function if numba is disabled) is itself.
+    """
 
     def __init__(self, of: dict[str, Any]) -> None:
         super().__init__()
         self._of = of
 
     def __missing__(self, name: str) -> Any:
-        """Compile the function of a name for Python, and return it."""
-        compiled = self[name] = entry(self._of[name])
-        return compiled
+        """Return what has a name, a function compiled for Python, and cached if possible."""
+        found = self._of[name]
+        options = getattr(found, "targetoptions", None)
+        self[name] = found if options is None else jit(found.py_func, **options)
+        return self[name]
 
 
 def _cached(function: types.FunctionType, source: Path, options: dict[str, Any]) -> Any:
