@@ -14,12 +14,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Complex, Matrix, Vector
-from .integrals import (
-    factors,
-    moments,
-    responses,
-    whole,
-)
+from .integrals import factors, moments, responses, whole
 
 
 def begins_of(case: Any, times: Vector) -> Vector:

@@ -63,7 +63,8 @@ class Answer:
     def at(self, w: Vector) -> Complex:
         """Return z at times from the start of the phase; shape (B, m, len(w))."""
         z = self.E.T[:, :, None] * np.exp(self.kappa[:, None] * w)
-        basis = _legendre(self.ages[:, None] + w, self.polynomials.shape[2])
+        age, degree = self.ages[:, None] + w, self.polynomials.shape[2] - 1
+        basis = np.polynomial.legendre.legvander(2 * age - 1, degree)
         return np.asarray(z + self.polynomials.swapaxes(0, 1) @ basis.swapaxes(1, 2))
 
     @cached_property
@@ -83,10 +84,6 @@ class Answer:
         integrals = moments(-1j * self.length * turns.astype(complex), self.series.shape[1])
         wave = self.length * np.exp(-1j * turns * self.begin)
         return np.asarray(wave[:, None] * (integrals.T @ self.series.T))
-
-
-def _legendre(u: Vector, count: int) -> Matrix:
-    return np.asarray(np.polynomial.legendre.legvander(2 * u - 1, count - 1))
 
 
 def answers_to(

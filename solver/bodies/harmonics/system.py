@@ -136,10 +136,8 @@ def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, 
         A[block] -= weights @ rows
         right[block] += weights @ offsets + constant
     ends = [values(frame, phase.event, p, 1) for p, phase in enumerate(frame.own.phases)]
-    events, constants = (
-        np.vstack([q for q, _ in ends]),
-        np.concatenate([q for _, q in ends]),
-    )
+    events = np.vstack([rows for rows, _ in ends])
+    constants = np.concatenate([offsets for _, offsets in ends])
     mean, fixing = _fixing(frame)
     A[mean] += fixing @ events
     right[mean] -= fixing @ constants

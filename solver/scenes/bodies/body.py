@@ -46,9 +46,8 @@ def body_of(
         ratio, modes, entries = _in_numbers(scene, values)
         if modes is not None and (modes != int(modes) or modes < 1):
             raise BodyError(f"modes: got {modes!r}, expected a whole number from 1")
-        matrices, count = _matrices(scene, entries, binary), None
-        if modes is not None:
-            count = int(modes)
+        matrices = _matrices(scene, entries, binary)
+        count = None if modes is None else int(modes)
         body = damped(_modes(scene, entries, binary, count), ratio)
         omega = frequency * binary.time / units.time
         body = at_frequency(body, matrices, omega, count)
