@@ -66,8 +66,7 @@ def _odd_polynomial(coefficients: Sequence[float], x: Vector, derivative: int) -
     """Return a derivative of the polynomial with coefficients of ``x, x^3, ...``."""
     whole = np.zeros(2 * len(coefficients))
     whole[1::2] = coefficients
-    polynomial = np.polynomial.Polynomial(whole)
-    return np.asarray(polynomial.deriv(derivative)(x) if derivative else polynomial(x))
+    return np.asarray(np.polynomial.Polynomial(whole).deriv(derivative)(x))
 
 
 @dataclass(frozen=True)
