@@ -17,7 +17,6 @@ from .expansions.bare import BareModes
 from .expansions.methods import (
     HIGHEST,
     bare_modes,
-    check_count,
     check_forced,
     check_order,
     generic_method,
@@ -281,7 +280,12 @@ def at_order(attached: Attached, method: str, order: int, K: int, count: int | N
         If the order is out of range, or there are fewer modes than wanted.
     """
     bare = bare_modes(attached, method, check_order(method, order), K)
-    number = check_count(bare.count, count, COUNT, method, order)
+    number = min(COUNT, bare.count) if count is None else whole("count", count)
+    if number > bare.count:
+        raise ValueError(
+            f"count: got {count}, {method} at order {order} has {bare.count} modes; "
+            "expected fewer, or a higher order"
+        )
     roots = secular.eigenvalues(bare, attached, number)
     exact = exact_modes(attached, number)
     low = np.full(number, np.nan)

@@ -61,21 +61,3 @@ def bare_modes(attached: Attached, method: str, order: int, forced: int) -> Bare
     if method == "ck":
         return piecewise(attached, order)
     return ritz_forced(attached, order, tuple(range(1, forced + 1)))
-
-
-def check_count(there_are: int, count: int | None, usual: int, method: str, order: int) -> int:
-    """Return the number of modes: `count`, or by default `usual` or all if there are fewer.
-
-    Raises
-    ------
-    ValueError
-        If there are fewer than `count`.
-    """
-    if count is None:
-        return min(usual, there_are)
-    if whole("count", count) > there_are:
-        raise ValueError(
-            f"count: got {count}, {method} at order {order} has {there_are} modes; "
-            "expected fewer, or a higher order"
-        )
-    return count
