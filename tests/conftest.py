@@ -6,7 +6,10 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import PurePosixPath
+from tempfile import TemporaryDirectory
 from typing import Any
+
+from platformdirs import user_cache_path
 
 # Before NumPy: on small arrays the threads of its BLAS cost more than they give.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -14,6 +17,12 @@ if "PYTEST_XDIST_WORKER" in os.environ:  # the cores are taken by the workers
     os.environ.setdefault("NUMBA_NUM_THREADS", "1")
 # Before SymPy, whose cache has a thousand entries otherwise: a derivation has more to keep.
 os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
+# Scenes that tests make are derived for all tests at once, and not kept beside those of a user;
+# the list of fonts, which takes a second to make, is the user's.
+if "PYTEST_XDIST_WORKER" not in os.environ:
+    _KEPT = TemporaryDirectory(prefix="nonsmooth-")
+    os.environ.setdefault("MPLCONFIGDIR", str(user_cache_path("matplotlib", appauthor=False)))
+    os.environ["XDG_CACHE_HOME"] = _KEPT.name
 
 import pytest
 from hypothesis import settings

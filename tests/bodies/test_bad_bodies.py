@@ -170,9 +170,8 @@ def test_a_forcing_beyond_the_modes_that_are_kept_is_refused() -> None:
     assert beam(modes=60, frequency=3300.0).cell.body.squares.size == 60
 
 
-def test_a_scene_of_ones_own_is_solved_and_kept(monkeypatch, tmp_path) -> None:
+def test_a_scene_of_ones_own_is_solved_and_kept() -> None:
     """In SI units of steel: stiff, and displacements of micrometres."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     K = 1e8 * np.array([[2.0, -1.0], [-1.0, 1.0]])
     own = ns.scene(scene(M=2 * np.eye(2), K=K, forcing=[50.0, 0.0]))
     orbit = ns.solve(own(spring=5e8, gap=1e-6, frequency=4000.0), order=10)

@@ -29,11 +29,6 @@ MASSES, SPRING, DAMPER = np.array([1.0, 0.05]), np.diag([1.0, 0.0]), np.diag([0.
 VALUES = {"force": 0.03, "gap": 0.5, "frequency": 1.0, "restitution": 0.7, "stiffness": 1.0}
 
 
-@pytest.fixture(autouse=True)
-def _cache(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-
-
 def scene(name: str, M, K, at, contact, forcing=(1, 0), half=True, **more):
     """Return the scene of a body whose contact is between two walls, or two springs."""
     body = Body(M=M, K=K, forcing=[F * q for q in forcing], at={"ball": at}, **more)

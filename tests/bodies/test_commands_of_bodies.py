@@ -102,8 +102,7 @@ def test_orders_that_are_not_judged_have_the_errors_of_their_orbits(scene: str) 
         assert size(trial.estimate) == pytest.approx(size(errors), rel=1e-6)
 
 
-def test_a_scene_file_follows_the_matrices_that_it_reads(run, tmp_path, monkeypatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+def test_a_scene_file_follows_the_matrices_that_it_reads(run, tmp_path) -> None:
     gone = 'first_stiffness", k_1', 'second_stiffness", k_2'
     text = (ROOT / "examples/scenes/two_masses.py").read_text("utf-8")
     matrix, read = (

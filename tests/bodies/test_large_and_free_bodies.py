@@ -21,11 +21,6 @@ SPRING, GAP = 10.0, 0.5
 k, g, Omega = sp.symbols("k g Omega", positive=True)
 
 
-@pytest.fixture(autouse=True)
-def _cache(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-
-
 def case(M, K, frequency: float, pushed: int = 0, **body):
     """Return a body that is forced at one mass, with an elastic stop at its last."""
     n = M.shape[0]

@@ -48,11 +48,9 @@ LINKS[-1, -1] = 1
 
 
 @pytest.fixture(scope="module", params=["rigid", "elastic"])
-def scene(request, tmp_path_factory):
+def scene(request):
     """Return a chain, derived once."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
-        return ns.scene(chain(request.param))
+    return ns.scene(chain(request.param))
 
 
 def generator(values, stop: float) -> np.ndarray:

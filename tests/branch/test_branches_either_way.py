@@ -46,11 +46,6 @@ def on_a_belt(name: str, mass, damping, stiffness, frequency, kinetic, static, b
     return Scene(name, "a mass on a belt", (*known, *own), phases, frequency=Omega)
 
 
-@pytest.fixture(autouse=True)
-def own_folder(monkeypatch, tmp_path) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-
-
 def both_ways(case, name: str, ends, starts):
     """Return what happens on the branch from each of two orbits: the same, and no end."""
     orbits = [exact_orbit(case.with_value(name, at)) for at in starts]

@@ -362,9 +362,8 @@ def test_a_flip_without_any_loss_is_a_double_one_and_not_missed() -> None:
 
 
 @pytest.mark.parametrize("damping", [1e-2, 3e-2])
-def test_between_two_resonances_a_row_leaves_its_stop(monkeypatch, tmp_path, damping) -> None:
+def test_between_two_resonances_a_row_leaves_its_stop(damping) -> None:
     """From contact through the response without it, whose phase hardly changes, to contact."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
 
     def over(frequency: float) -> float:
         rows = chains.LINKS * (1 + 1j * frequency * damping) - frequency**2 * np.eye(4)

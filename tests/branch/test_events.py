@@ -8,7 +8,6 @@ a rest hits the stop as it begins to press, or a period later, in 40 digits.
 
 import itertools
 from functools import cache
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -311,11 +310,8 @@ def test_at_a_flip_there_is_an_orbit_of_twice_the_period(scene, values, ends, cy
 
 
 @pytest.mark.parametrize("load", [0.0, 0.3])
-def test_flow_vanishes_where_elastic_motion_just_reaches_the_yield_force(
-    load: float, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_flow_vanishes_where_elastic_motion_just_reaches_the_yield_force(load: float) -> None:
     """Under a load both flows vanish together, and no orbit is isolated there."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     own = {"load": load} if load else {}
     file = str(ROOT / "examples/scenes/loaded_plasticity.py")
     scene = ns.scene(file if load else "elastic-plastic")

@@ -69,11 +69,6 @@ def scene(*, body: bool = False, half: bool = False) -> Scene:
     )  # fmt: skip
 
 
-@pytest.fixture(autouse=True)
-def _cache(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-
-
 def test_at_a_flip_there_is_an_orbit_of_twice_the_period() -> None:
     case = ns.scene(scene())()
     single, double = ns.branches(case, "frequency", *ENDS)

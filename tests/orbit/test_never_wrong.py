@@ -240,9 +240,8 @@ def stop_and_joint() -> Scene:
 
 
 @pytest.mark.parametrize("limit", [2.755, 2.76])
-def test_a_slip_at_a_double_root_of_the_equations_is_none(limit, monkeypatch, tmp_path):
+def test_a_slip_at_a_double_root_of_the_equations_is_none(limit):
     """There Newton's method ends at 1e-7 s; the slider sticks for ever, at any place."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     with pytest.raises(NoOrbit, match="none of them sets w"):
         exact_orbit(scene_of(stop_and_joint())(limit=limit))
 

@@ -4,7 +4,6 @@ In balls: a particle against its closed form, half a period, whose closing is re
 the whole, whose closing is not, and the force series against the exact equations.
 """
 
-from collections.abc import Iterator
 from functools import cache
 
 import numpy as np
@@ -24,13 +23,6 @@ from nonsmooth.solver.kernels.bodies import exact_kernel
 from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.precision.digits import in_balls as equations_in_balls
 from nonsmooth.solver.precision.refine import refine
-
-
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory) -> Iterator[None]:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
-        yield
 
 
 @cache

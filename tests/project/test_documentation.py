@@ -55,20 +55,10 @@ def test_some_docstrings_have_examples() -> None:
         assert any(test.examples for test in finder.find(module)), name
 
 
-@pytest.fixture(scope="session")
-def kernels_of_scene_files(tmp_path_factory) -> Path:
-    """Return a cache in which the scene of the pages has been derived: it says so only once."""
-    cache: Path = tmp_path_factory.mktemp("cache")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_CACHE_HOME", str(cache))
-        nonsmooth.scene(BALL)
-    return cache
-
-
 @pytest.fixture
-def place(kernels_of_scene_files: Path, tmp_path: Path, monkeypatch) -> Path:
-    """Return a folder of its own to be in, with the scene file of the pages."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(kernels_of_scene_files))
+def place(tmp_path: Path, monkeypatch) -> Path:
+    """Return a folder of its own to be in, with the scene file of the pages, derived before."""
+    nonsmooth.scene(BALL)
     monkeypatch.chdir(tmp_path)
     shutil.copy(BALL, tmp_path)
     return tmp_path

@@ -15,11 +15,6 @@ FILES = [
 TOLERANCE, OF_BODIES = 1e-9, 1e-6
 
 
-@pytest.fixture(autouse=True)
-def _cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-
-
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_its_orbit_is_stable_and_as_exact_as_asked(file: Path) -> None:
     text = file.read_text("utf-8")

@@ -61,11 +61,9 @@ def amplitudes(frequency: float, damping: float) -> np.ndarray:
 
 
 @pytest.fixture(scope="module", params=[False, True], ids=["by places", "by forces"])
-def scene(request, tmp_path_factory):
+def scene(request):
     """Return the chain, derived once."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
-        return ns.scene(stopped(request.param))
+    return ns.scene(stopped(request.param))
 
 
 def at(scene, stop: float, damping: float, frequency: float, parts=PARTS):

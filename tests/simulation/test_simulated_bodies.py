@@ -111,11 +111,9 @@ def test_events_of_a_chain_are_those_of_an_integrator() -> None:
 
 
 @pytest.fixture(scope="module", params=["rigid", "elastic"])
-def scene(request, tmp_path_factory):
+def scene(request):
     """Return a random chain's scene, derived once."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
-        return ns.scene(chains.chain(request.param))
+    return ns.scene(chains.chain(request.param))
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -234,9 +232,8 @@ def on_a_stop(body: Body, gap: float, frequency: float):
     return ns.scene(own)
 
 
-def test_a_row_rests_on_a_stop_until_it_is_pulled_off(monkeypatch, tmp_path) -> None:
+def test_a_row_rests_on_a_stop_until_it_is_pulled_off() -> None:
     """By matrix exponentials of the row, with its end free and held."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     n, gap = 3, 0.2
     K, C, pulled = chains.LINKS[1:, 1:].astype(float), 0.1 * np.eye(n), np.array([0, 0, 1.0])
     row = Body(M=np.eye(n), K=K, C=C, forcing=pulled, at={"end": [0, 0, 1]})
@@ -264,9 +261,8 @@ def test_a_row_rests_on_a_stop_until_it_is_pulled_off(monkeypatch, tmp_path) -> 
         X[2 * n - 1] *= rests
 
 
-def test_without_rebound_rounding_is_no_velocity(monkeypatch, tmp_path) -> None:
+def test_without_rebound_rounding_is_no_velocity() -> None:
     """A body of one mass on a stop, and the scene of one mass."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     body = Body(M=[[0.7]], K=[[3.3]], C=[[0.2]], forcing=[1], at={"end": [1]})
     values = {"gap": 0.17, "frequency": 0.9, "mass": 0.7, "stiffness": 3.3, "damping": 0.2}
     one, case = ns.scene("impact-inelastic")(**values), on_a_stop(body, 0.17, 0.9)()
@@ -296,9 +292,8 @@ def no_gap(stiffer: float = 4.0) -> Scene:
 
 
 @pytest.mark.parametrize("frequency", [0.5, 0.6, 0.65])
-def test_from_rest_where_phases_meet_a_body_moves(monkeypatch, tmp_path, frequency) -> None:
+def test_from_rest_where_phases_meet_a_body_moves(frequency) -> None:
     """What pulls elsewhere comes later: until then all is rounding.  A scan finds the orbit."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     own = ns.scene(no_gap())(frequency=frequency)
     motion = ns.simulate(own, cycles=60)
     (orbit,) = (q for q in solutions(own) if q.admissible)
