@@ -5,13 +5,32 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
+import sympy as sp
 
+from nonsmooth.scene import Parameter, Phase, Scene, find
 from nonsmooth.solver.orbit.motion import Motion
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import LoadedScene
 
 FREQUENCY = ("frequency", "Omega", "rad/s", 1.0, "angular frequency", "positive", None)
 SCALE = ("scale", "a", "", 1.0, "a number", "", None)
+
+
+def parameters(**values: tuple[sp.Symbol, str, float]) -> tuple[Parameter, ...]:
+    """Return parameters by their names, from symbols, units and defaults."""
+    return tuple(Parameter(name, *each, name) for name, each in values.items())
+
+
+def scene_of(name: str, own: tuple[Parameter, ...], *phases: Phase, **fields) -> LoadedScene:
+    """Return a scene as a user writes it; a parameter `frequency` is that of the forcing."""
+    frequency = next((q.symbol for q in own if q.name == "frequency"), None)
+    return find(Scene(name, name, own, phases, frequency=frequency, **fields))
+
+
+def in_a_row(springs) -> np.ndarray:
+    """Return the stiffness of a row of masses, of which a spring holds the first."""
+    K = np.diag(springs) + np.diag([*springs[1:], 0])
+    return K - np.diag(springs[1:], 1) - np.diag(springs[1:], -1)
 
 
 def made(

@@ -7,10 +7,11 @@ exponentials in physical coordinates; a pair of gears moves as one mass of the r
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Phase
 from nonsmooth.solver import chart, in_order
 from nonsmooth.solver import exact as solver_exact
 from nonsmooth.solver.bodies.exact import evaluated
@@ -39,23 +40,15 @@ def scene(name: str, M, K, at, contact, forcing=(1, 0), half=True, **more):
         phases = [Phase("right", ball.force, Event(ball.x - g, jump=jump), inside)]
         if not half:
             phases.append(Phase("left", ball.force, Event(ball.x + g, jump=jump), inside))
-        own = Parameter("restitution", r, "", VALUES["restitution"], "")
+        own = {"restitution": (r, "")}
     else:
         pushed = {"beyond": ball.x - g}
         touch = Phase("touch", ball.force + k * (ball.x - g), Event(ball.x - g), pushed)
         phases = [touch, Phase("free", ball.force, Event(ball.x + g), inside)]
-        own = Parameter("stiffness", k, "N/m", VALUES["stiffness"], "")
-    parameters = (
-        Parameter("force", F, "N", VALUES["force"], ""),
-        Parameter("gap", g, "m", VALUES["gap"], ""),
-        Parameter("frequency", Omega, "rad/s", VALUES["frequency"], ""),
-        own,
-    )
-    return ns.scene(
-        Scene(
-            name, name, parameters, tuple(phases), frequency=Omega, half_period=half, body=body
-        )
-    )
+        own = {"stiffness": (k, "N/m")}
+    known = {"force": (F, "N"), "gap": (g, "m"), "frequency": (Omega, "rad/s"), **own}
+    numbers = parameters(**{q: (*each, VALUES[q]) for q, each in known.items()})
+    return scene_of(name, numbers, *phases, half_period=half, body=body)
 
 
 def ball_in_a_slot(half: bool = True, weak: float = 0.0):
@@ -199,12 +192,11 @@ def test_nothing_pushes_back_from_one_stop() -> None:
     end = body.at["end"]
     touch = Phase("touch", end.force + k * (end.x - g), Event(end.x - g), {"in": end.x - g})
     free = Phase("free", end.force, Event(end.x - g), {"before the stop": g - end.x})
-    parameters = tuple(
-        Parameter(name, q, unit, 0.5, "")
-        for name, q, unit in (("force", F, "N"), ("gap", g, "m"), ("frequency", Omega, "rad/s"),
-                              ("stiffness", k, "N/m"))
+    own = parameters(
+        force=(F, "N", 0.5), gap=(g, "m", 0.5), frequency=(Omega, "rad/s", 0.5),
+        stiffness=(k, "N/m", 0.5),
     )  # fmt: skip
-    one = ns.scene(Scene("stop", "", parameters, (touch, free), frequency=Omega, body=body))
+    one = scene_of("stop", own, touch, free, body=body)
     with pytest.raises(ns.NoOrbit, match="no admissible orbit was found"):
         ns.solve(one())
 
@@ -216,13 +208,10 @@ def test_that_nothing_holds_a_body_at_one_place_is_said() -> None:
     end = body.at["end"]
     ahead = Phase("ahead", end.force + k, Event(end.v), {"ahead": end.v})
     back = Phase("back", end.force - k, Event(end.v), {"back": -end.v})
-    numbers = (
-        ("force", F, "N", 1.0),
-        ("friction", k, "N", 0.2),
-        ("frequency", Omega, "rad/s", 0.7),
+    own = parameters(
+        force=(F, "N", 1.0), friction=(k, "N", 0.2), frequency=(Omega, "rad/s", 0.7)
     )
-    parameters = tuple(Parameter(*each, each[0]) for each in numbers)
-    one = ns.scene(Scene("slider", "", parameters, (ahead, back), frequency=Omega, body=body))
+    one = scene_of("slider", own, ahead, back, body=body)
     with pytest.raises(ns.NoOrbit, match="nothing holds the body at one place"):
         ns.solve(one())
 
@@ -252,19 +241,21 @@ def test_a_map_has_the_fold_of_its_closed_form(monkeypatch) -> None:
         assert gap == pytest.approx(largest(restitution), rel=1e-12)
 
 
-@pytest.mark.parametrize("method", ["ck-tau", "hb-ck"])
-def test_few_modes_of_a_row_that_only_its_end_holds(method: str) -> None:
-    """What the modes left out answer to the forcing, and to the contact, is not held."""
-    n = 6
-    K = 4.0 * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
-    K[0, 0] = K[-1, -1] = 4.0
-    row = scene(
+def row():
+    """Return some modes of masses in a row, which only its end holds."""
+    n, K = 6, in_a_row([0, 4.0, 4.0, 4.0, 4.0, 4.0])
+    own = scene(
         "row", np.eye(n) / n, K, np.eye(n)[-1].tolist(), "springs", forcing=[1, *[0] * (n - 1)],
         C=0.02 * K + 0.05 * np.eye(n) / n, modes=3,
     )  # fmt: skip
-    case = row(force=0.4, gap=0.1, stiffness=2.0)
+    return own(force=0.4, gap=0.1, stiffness=2.0)
+
+
+@pytest.mark.parametrize("method", ["ck-tau", "hb-ck"])
+def test_few_modes_of_a_row_that_only_its_end_holds(method: str) -> None:
+    """What the modes left out answer to the forcing, and to the contact, is not held."""
     order, error = (20, 1e-11) if method == "ck-tau" else (30, 1e-5)
-    assert ns.solve(case, method, order).errors.times < error
+    assert ns.solve(row(), method, order).errors.times < error
 
 
 def mass_before_a_stop(**values):
@@ -272,10 +263,9 @@ def mass_before_a_stop(**values):
     body = Body(M=sp.eye(1), K=sp.eye(1), forcing=[1], at={"mass": [1]})
     x, v, force = body.at["mass"].x, body.at["mass"].v, body.at["mass"].force
     flight = Phase("flight", force, Event(x - g, jump={v: -r * v}), {"before": g - x})
-    numbers = (("gap", g, "m"), ("frequency", Omega, "rad/s"), ("restitution", r, ""))
-    parameters = tuple(Parameter(*q, values[q[0]], "") for q in numbers)
-    own = Scene("stop", "a mass", parameters, (flight,), frequency=Omega, body=body)
-    return ns.scene(own)(), ns.scene("impact")(damping=0, **values)
+    known = {"gap": (g, "m"), "frequency": (Omega, "rad/s"), "restitution": (r, "")}
+    own = parameters(**{q: (*each, values[q]) for q, each in known.items()})
+    return scene_of("stop", own, flight, body=body)(), ns.scene("impact")(damping=0, **values)
 
 
 @pytest.mark.parametrize("restitution", [0.5, 1.0])
@@ -362,9 +352,8 @@ def test_two_modes_that_repeat_themselves_with_the_forcing_grow(half: bool) -> N
     )
     x, v, force = body.at["end"].x, body.at["end"].v, body.at["end"].force
     flight = Phase("flight", force, Event(x - g, jump={v: -r * v}), {"before": g - x})
-    numbers = (("gap", g, "m", 0.3), ("frequency", Omega, "rad/s", 1.0),
-               ("restitution", r, "", 0.7))  # fmt: skip
-    own = Scene("two", "", tuple(Parameter(*q, "") for q in numbers), (flight,),
-                frequency=Omega, body=body, half_period=half)  # fmt: skip
+    own = parameters(
+        gap=(g, "m", 0.3), frequency=(Omega, "rad/s", 1.0), restitution=(r, "", 0.7)
+    )
     with pytest.raises(ns.NoOrbit, match="was found"):
-        ns.exact(ns.scene(own)())
+        ns.exact(scene_of("two", own, flight, body=body, half_period=half)())

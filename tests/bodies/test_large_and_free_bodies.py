@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 import sympy as sp
 from bodies.reference_bodies import cantilever
+from made_scenes import parameters, scene_of
 from scipy import sparse
 from scipy.linalg import expm
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Memory, Parameter, Phase
 from nonsmooth.solver.bodies import modal
 from nonsmooth.solver.bodies import modes as natural
 from nonsmooth.solver.bodies.force_series.layout import layout
@@ -29,16 +30,10 @@ def case(M, K, frequency: float, pushed: int = 0, **body):
     tip = own.at["tip"]
     touch = Phase("touch", tip.force + k * (tip.x - g), Event(tip.x - g), {"in": tip.x - g})
     free = Phase("free", tip.force, Event(tip.x - g), {"before the stop": g - tip.x})
-    return ns.scene(
-        Scene(
-            "one-stop", "a body with a stop", body=own, frequency=Omega, phases=(touch, free),
-            parameters=(
-                Parameter("stop", k, "N/m", SPRING, "spring"),
-                Parameter("gap", g, "m", GAP, "gap"),
-                Parameter("frequency", Omega, "rad/s", frequency, "frequency"),
-            ),
-        )
-    )()  # fmt: skip
+    known = parameters(
+        stop=(k, "N/m", SPRING), gap=(g, "m", GAP), frequency=(Omega, "rad/s", frequency)
+    )
+    return scene_of("one-stop", known, touch, free, body=own)()
 
 
 def off_the_stop(orbit, M, C, K, frequency: float) -> float:
@@ -208,8 +203,8 @@ def test_equal_frequencies_are_all_found() -> None:
     assert found.squares == pytest.approx(4 * np.sin(angles / 2) ** 2, rel=1e-8)
 
 
-def scenes_with_jumps() -> dict[str, Scene]:
-    """Return laws on a row of masses that leave no room for a compliance without mass."""
+def scene_with_jumps(name: str):
+    """Return a law on a row of masses that leaves no room for a compliance without mass."""
     w, (f, c, modes) = sp.Symbol("w", real=True), sp.symbols("f c n_m", positive=True)
     M, K = (q.toarray() for q in chain(12))
     row = Body(
@@ -220,39 +215,22 @@ def scenes_with_jumps() -> dict[str, Scene]:
     slips = Phase("slip", end.force + f, Event(end.v), {"it slips": end.v})
     holds = {"it holds": f - sp.Abs(pull)}
     free = Phase("free", end.force, Event(end.x - f), {"before": f - end.x})
-    laws = {
-        "slider": (slips, Phase("hold", end.force + pull, Event(pull + f), holds)),
-        "damped-stop": (Phase("touch", stop, Event(end.x - f), {"in": end.x - f}), free),
-    }
-    common = (
-        Parameter("spring", k, "N/m", 0.5, "spring"),
-        Parameter("frequency", Omega, "rad/s", 0.4, "frequency"),
-        Parameter("modes", modes, "", 12.0, "modes", most=12),
-    )
-    more = {
-        "slider": {
-            "parameters": (*common, Parameter("friction", f, "N", 0.3, "friction")),
-            "memory": (Memory(w, "hold", end.x - f / k, "the slider"),),
-            "half_period": True,
-        },
-        "damped-stop": {
-            "parameters": (
-                *common,
-                Parameter("gap", f, "m", 0.1, "gap"),
-                Parameter("damping", c, "N s/m", 0.3, "damping of the stop"),
-            )
-        },
-    }
-    return {
-        name: Scene(name, name, body=row, frequency=Omega, phases=phases, **more[name])
-        for name, phases in laws.items()
-    }
+    own = parameters(spring=(k, "N/m", 0.5), frequency=(Omega, "rad/s", 0.4))
+    own += (Parameter("modes", modes, "", 12.0, "modes", most=12),)
+    if name == "slider":
+        hold = Phase("hold", end.force + pull, Event(pull + f), holds)
+        own += parameters(friction=(f, "N", 0.3))
+        memory = (Memory(w, "hold", end.x - f / k, "the slider"),)
+        return scene_of(name, own, slips, hold, memory=memory, half_period=True, body=row)
+    touch = Phase("touch", stop, Event(end.x - f), {"in": end.x - f})
+    own += parameters(gap=(f, "m", 0.1), damping=(c, "N s/m", 0.3))
+    return scene_of(name, own, touch, free, body=row)
 
 
-@pytest.mark.parametrize("name", scenes_with_jumps())
+@pytest.mark.parametrize("name", ["slider", "damped-stop"])
 def test_modes_left_out_have_a_mass_where_a_force_may_jump(name: str) -> None:
     """Of one mode left out that is the mode itself; of several the force does not leap."""
-    scene = ns.scene(scenes_with_jumps()[name])
+    scene = scene_with_jumps(name)
     whole, but_one, few = (ns.solve(scene(modes=count), order=20) for count in (12, 11, 6))
     assert not few.case.cell.body.residual.any()
     assert len(few.case.cell.body.squares) == 7
@@ -291,14 +269,16 @@ def test_a_demand_may_have_the_modulus_of_any_contact(width: float, admitted: bo
     laws = (end.force + k * (end.x - g), middle.force), (end.force, middle.force)
     touch = Phase("touch", laws[0], Event(end.x - g), {"in": end.x - g} | within)
     free = Phase("free", laws[1], Event(end.x - g), {"before": g - end.x} | within)
-    numbers = ("stop", k, "N/m", 5.0), ("gap", g, "m", 0.3), ("width", d, "m", width)
-    parameters = [Parameter(*q, q[0]) for q in (*numbers, ("frequency", Omega, "rad/s", 0.9))]
-    scene = Scene("row", "", tuple(parameters), (touch, free), frequency=Omega, body=own)
+    numbers = parameters(
+        stop=(k, "N/m", 5.0), gap=(g, "m", 0.3), width=(d, "m", width),
+        frequency=(Omega, "rad/s", 0.9),
+    )  # fmt: skip
+    row = scene_of("row", numbers, touch, free, body=own)()
     if admitted:
-        assert ns.solve(ns.scene(scene)(), order=10).stable
+        assert ns.solve(row, order=10).stable
     else:
         with pytest.raises(ns.NoOrbit, match="not true that the middle stays within"):
-            ns.solve(ns.scene(scene)(), order=10)
+            ns.solve(row, order=10)
 
 
 def test_a_light_mass_that_rings_on_a_damped_stop_leaves_it() -> None:
@@ -309,13 +289,12 @@ def test_a_light_mass_that_rings_on_a_damped_stop_leaves_it() -> None:
     on_it = end.force + k * (end.x - g) + stop * end.v
     touch = Phase("touch", on_it, Event(end.x - g), {"it presses": end.x - g})
     free = Phase("free", end.force, Event(end.x - g), {"before the stop": g - end.x})
-    numbers = (
-        ("stiffness", k, "N/m", 36843911.7), ("damping", stop, "N s/m", 43.987),
-        ("gap", g, "m", 0.314376219), ("frequency", Omega, "rad/s", 0.120390585),
+    own = parameters(
+        stiffness=(k, "N/m", 36843911.7), damping=(stop, "N s/m", 43.987),
+        gap=(g, "m", 0.314376219), frequency=(Omega, "rad/s", 0.120390585),
     )  # fmt: skip
-    own = tuple(Parameter(*each, each[0]) for each in numbers)
-    scene = Scene("ringing", "", own, (touch, free), frequency=Omega, body=body)
+    ringing = scene_of("ringing", own, touch, free, body=body)()
     with pytest.raises(
         ns.NoOrbit, match=r"touch 1\.97\d* s, in touch, not true that it presses"
     ):
-        ns.exact(ns.scene(scene)())
+        ns.exact(ringing)

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 import sympy as sp
 from bodies.reference_bodies import case, of, references
+from made_scenes import in_a_row, parameters, scene_of
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Phase
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import bodies
 from nonsmooth.solver.existence.known import known_orbits
@@ -185,13 +186,8 @@ def test_where_motions_settle_on_no_stable_orbit_the_others_of_their_orders_are_
         Phase("up", contact.force + k * (contact.x - g), above, {"on": contact.x - g}),
         Phase("down", contact.force + k * (contact.x + g), below, {"on": -g - contact.x}),
     )
-    numbers = (
-        ("gap", g, "m", 0.2),
-        ("stop", k, "N/m", 3),
-        ("frequency", Omega, "rad/s", 0.9),
-    )
-    parameters = tuple(Parameter(*q, q[0]) for q in numbers)
-    own = ns.scene(Scene("ball", "", parameters, phases, frequency=Omega, body=body))()
+    known = parameters(gap=(g, "m", 0.2), stop=(k, "N/m", 3), frequency=(Omega, "rad/s", 0.9))
+    own = scene_of("ball", known, *phases, body=body)()
     reached = (from_times(*settled) for settled in settled_cases(own))
     assert {q.stable for q in reached if q.outcome.converged and q.admissible} == {False}
     orbit = exact_orbit(own)
@@ -209,27 +205,19 @@ def test_a_motion_that_stops_switching_may_stay_in_its_phase() -> None:
 def on_a_belt(masses, springs, ratio: float, values, first: str = "slip"):
     """Return a row of masses, fixed at its begin, of which the first is on a belt."""
     belt, static, kinetic, weak = sp.symbols("V f_s f_k w", positive=True)
-    K = np.diag(springs) + np.diag([*springs[1:], 0.0])
-    K -= np.diag(springs[1:], 1) + np.diag(springs[1:], -1)
     at = {"tip": np.eye(len(masses))[0]}
-    body = Body(M=np.diag(masses), K=K, ratio=ratio, at=at)
+    body = Body(M=np.diag(masses), K=in_a_row(springs), ratio=ratio, at=at)
     tip = body.at["tip"]
     holds = {"forwards": static - tip.force, "back": static + tip.force}
     stick = Phase("stick", tip.a, Event(tip.force - static), holds, held=belt)
     law = tip.force - kinetic + weak * (belt - tip.v)
     slip = Phase("slip", law, Event(tip.v - belt), {"slower": belt - tip.v})
-    known = (
-        ("belt", belt, "m/s", "speed of the belt"),
-        ("static", static, "N", "largest force of static friction"),
-        ("kinetic", kinetic, "N", "force of kinetic friction"),
-        ("weakening", weak, "N s/m", "by which it falls with the speed"),
-    )
-    own = tuple(
-        Parameter(name, symbol, unit, value, words)
-        for (name, symbol, unit, words), value in zip(known, values, strict=True)
-    )
+    own = parameters(
+        belt=(belt, "m/s", values[0]), static=(static, "N", values[1]),
+        kinetic=(kinetic, "N", values[2]), weakening=(weak, "N s/m", values[3]),
+    )  # fmt: skip
     phases = (slip, stick) if first == "slip" else (stick, slip)
-    return ns.scene(Scene("on-a-belt", "masses, one on a belt", own, phases, body=body))()
+    return scene_of("on-a-belt", own, *phases, body=body)()
 
 
 #: Two masses that settle, and three that come near to their orbit for too long.
@@ -259,9 +247,7 @@ def test_an_orbit_is_found_where_simulations_settle_on_one_of_twice_its_period()
     """Both are stable: that of one period has two contacts, one at either stop."""
     frequency, gap, other_gap = sp.symbols("Omega g d", positive=True)
     stiffness, other_stiffness, damper = sp.symbols("k h c", positive=True)
-    springs = [1.506, 0.673, 1.844, 1.787, 0.504]
-    K = np.diag(springs) + np.diag([*springs[1:], 0.0])
-    K -= np.diag(springs[1:], 1) + np.diag(springs[1:], -1)
+    K = in_a_row([1.506, 0.673, 1.844, 1.787, 0.504])
     masses = np.diag([1.92, 0.784, 0.769, 1.025, 0.846])
     places = {"low": np.eye(5)[1], "high": np.eye(5)[2]}
     body = Body(M=masses, K=K, C=0.0633 * K + 0.02 * masses, forcing=np.eye(5)[3], at=places)
@@ -274,15 +260,12 @@ def test_an_orbit_is_found_where_simulations_settle_on_one_of_twice_its_period()
         laws = (pushed[0] if on_low else low.force, pushed[1] if on_high else high.force)
         sides = {"low": -off if on_low else off, "high": others if on_high else -others}
         phases.append(Phase(f"p{on_low}{on_high}", laws, ends, sides))
-    known = (
-        ("frequency", frequency, "rad/s", 1.079), ("gap", gap, "m", 0.7493),
-        ("other_gap", other_gap, "m", 0.145), ("stiffness", stiffness, "N/m", 9.895),
-        ("other_stiffness", other_stiffness, "N/m", 17.725),
-        ("damper", damper, "N s/m", 0.0645),
+    own = parameters(
+        frequency=(frequency, "rad/s", 1.079), gap=(gap, "m", 0.7493),
+        other_gap=(other_gap, "m", 0.145), stiffness=(stiffness, "N/m", 9.895),
+        other_stiffness=(other_stiffness, "N/m", 17.725), damper=(damper, "N s/m", 0.0645),
     )  # fmt: skip
-    own = tuple(Parameter(*q, q[0]) for q in known)
-    scene = Scene("row", "a row", own, tuple(phases), frequency=frequency, body=body)
-    case_of_row = ns.scene(scene)()
+    case_of_row = scene_of("row", own, *phases, body=body)()
     settled = next(settled_cases(replace(case_of_row, cycles=2)))
     assert sum(settled[1].durations) == pytest.approx(4 * math.pi)  # over the frequency
     orbit = ns.exact(case_of_row)

@@ -8,19 +8,22 @@ import numpy as np
 import pytest
 import sympy as sp
 from every_run import tried
+from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Phase
+from nonsmooth.solver.scenes.loaded import LoadedScene
 
 #: Masses of a chain, points of a phase at which demands are looked at, and chains drawn of one
 #: seed: more until one has an orbit.
 COUNT, POINTS, DRAWN = 4, 2000, 8
+LINKS = in_a_row([1] * COUNT)
 
 SEEDS = {f"seed {seed}": seed for seed in range(50)}
 
 
-def chain(phases: str) -> Scene:
+def chain(phases: str) -> LoadedScene:
     """Return the scene of a row of masses with an elastic or a rigid stop."""
     m, k, stop, g, F, Omega = sp.symbols("m k stop g F Omega", positive=True)
     c, r = sp.symbols("c r", nonnegative=True)
@@ -35,22 +38,20 @@ def chain(phases: str) -> Scene:
         Phase("touch", end.force + stop * (end.x - g), Event(end.x - g), {"in": end.x - g}),
         Phase("free", end.force, Event(end.x - g), before),
     )
-    own = ("restitution", r, "") if phases == "rigid" else ("stop", stop, "N/m")
-    names = (("mass", m, "kg"), ("stiffness", k, "N/m"), ("damping", c, "N s/m"))
-    names += (("force", F, "N"), ("frequency", Omega, "rad/s"), ("gap", g, "m"), own)
-    parameters = tuple(Parameter(name, q, unit, 0.5, name) for name, q, unit in names)
-    found = (rigid,) if phases == "rigid" else soft
-    return Scene(f"{phases}-stop", "a chain", parameters, found, frequency=Omega, body=row)
-
-
-LINKS = (2 * np.eye(COUNT) - np.eye(COUNT, k=1) - np.eye(COUNT, k=-1)).astype(int)
-LINKS[-1, -1] = 1
+    own = parameters(
+        mass=(m, "kg", 0.5), stiffness=(k, "N/m", 0.5), damping=(c, "N s/m", 0.5),
+        force=(F, "N", 0.5), frequency=(Omega, "rad/s", 0.5), gap=(g, "m", 0.5),
+    )  # fmt: skip
+    if phases == "rigid":
+        own += parameters(restitution=(r, "", 0.5))
+        return scene_of("rigid-stop", own, rigid, body=row)
+    return scene_of("elastic-stop", own + parameters(stop=(stop, "N/m", 0.5)), *soft, body=row)
 
 
 @pytest.fixture(scope="module", params=["rigid", "elastic"])
 def scene(request):
     """Return a chain, derived once."""
-    return ns.scene(chain(request.param))
+    return chain(request.param)
 
 
 def generator(values, stop: float) -> np.ndarray:

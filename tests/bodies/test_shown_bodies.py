@@ -9,6 +9,7 @@ from bodies import reference_bodies
 from bodies.shown_bodies import Shown
 from bodies.test_reference_bodies import start
 from every_run import tried
+from made_scenes import parameters
 
 import nonsmooth as ns
 from nonsmooth.codegen import scenes
@@ -16,7 +17,7 @@ from nonsmooth.codegen.equations import sections
 from nonsmooth.codegen.printing.html import page_of
 from nonsmooth.codegen.printing.latex import document_of
 from nonsmooth.codegen.printing.text import text_of
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Phase, Scene
 from nonsmooth.solver.scenes.case import Case
 
 BODIES = tuple(scene for scene in map(scenes.load, scenes.names()) if scene.body is not None)
@@ -101,14 +102,11 @@ def of_contacts(one: str, other: str) -> Scene:
         Phase("touch", (spring, damper), meets, {"it presses": first.x - g}),
         Phase("free", (first.force, damper), meets, {"nothing is met": g - first.x}),
     )
-    parameters = (
-        Parameter("stiffness", k, "N/m", 5.0, "of the spring"),
-        Parameter("damping", c, "N s/m", 0.1, "of the damper"),
-        Parameter("gap", g, "m", 0.1, "before the spring"),
-        Parameter("frequency", Omega, "rad/s", 0.6, "of the force"),
-    )
-    title = "two contacts"
-    return Scene("two", title, body=body, phases=phases, parameters=parameters, frequency=Omega)
+    own = parameters(
+        stiffness=(k, "N/m", 5.0), damping=(c, "N s/m", 0.1), gap=(g, "m", 0.1),
+        frequency=(Omega, "rad/s", 0.6),
+    )  # fmt: skip
+    return Scene("two", "two contacts", own, phases, body=body, frequency=Omega)
 
 
 #: What is printed of the contacts: in LaTeX, and as text.

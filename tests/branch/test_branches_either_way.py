@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import parameters, scene_of
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.scene import Body, Event, Memory, Phase, a, forcing, v, x
 from nonsmooth.solver import branches
 from nonsmooth.solver.branch import course
 from nonsmooth.solver.branch.walk import OUTSIDE, OWN, dips
@@ -17,10 +18,6 @@ c, V = sp.symbols("c V", nonnegative=True)
 f_k, f_s = sp.symbols("f_k f_s", positive=True)
 
 
-def parameters(**values: tuple[sp.Symbol, str, float]) -> tuple[Parameter, ...]:
-    return tuple(Parameter(name, q, unit, at, name) for name, (q, unit, at) in values.items())
-
-
 def oscillator(mass: float, damping: float, stiffness: float, frequency: float):
     """Return the parameters of a mass, and a force of 1 N."""
     return parameters(
@@ -29,7 +26,7 @@ def oscillator(mass: float, damping: float, stiffness: float, frequency: float):
     )  # fmt: skip
 
 
-def on_a_belt(name: str, mass, damping, stiffness, frequency, kinetic, static, belt) -> Scene:
+def on_a_belt(name: str, mass, damping, stiffness, frequency, kinetic, static, belt):
     """Return a mass on a belt, in an order of phases that is not half of one."""
     load, moved = c * V + k * x - F * forcing, m * a + c * v + k * x - F * forcing
     holds = {"up": f_s - load, "down": f_s + load}
@@ -43,7 +40,7 @@ def on_a_belt(name: str, mass, damping, stiffness, frequency, kinetic, static, b
         kinetic=(f_k, "N", kinetic), static=(f_s, "N", static), belt=(V, "m/s", belt)
     )
     known = oscillator(mass, damping, stiffness, frequency)
-    return Scene(name, "a mass on a belt", (*known, *own), phases, frequency=Omega)
+    return scene_of(name, known + own, *phases)()
 
 
 def both_ways(case, name: str, ends, starts):
@@ -97,10 +94,8 @@ def on_a_spring(cycles: int, **values: float):
         damping=(c, "N s/m", 0.1), contact_stiffness=(k, "N/m", 4.0), gap=(g, "m", 0.1),
         force=(F, "N", 1.0), frequency=(Omega, "rad/s", 2.5),
     )  # fmt: skip
-    two = contact, separated
-    return ns.scene(Scene("on-a-spring", "a mass", own, two, frequency=Omega, body=body))(
-        cycles=cycles, **values
-    )
+    scene = scene_of("on-a-spring", own, contact, separated, body=body)
+    return scene(cycles=cycles, **values)
 
 
 @pytest.mark.parametrize("on_it", [ns.scene("clearance"), on_a_spring])
@@ -125,8 +120,7 @@ def on_a_stop(**values: float):
     flight = Phase("flight", end.force, stop, {"before the stop": g - end.x})
     rest = Phase("rest", end.a, Event(end.force), {"it presses": -end.force}, held=0)
     own = parameters(gap=(g, "m", 0.9913), force=(F, "N", 1.0), frequency=(Omega, "rad/s", 0.9))
-    scene = Scene("on-a-stop", "a mass", own, (flight, rest), frequency=Omega, body=body)
-    return ns.scene(scene)(**values)
+    return scene_of("on-a-stop", own, flight, rest, body=body)(**values)
 
 
 def test_a_body_comes_to_rest_where_the_same_mass_does() -> None:
@@ -147,7 +141,7 @@ def test_the_flight_of_a_body_vanishes_where_its_stop_holds_it_for_ever() -> Non
 @pytest.mark.parametrize("belt", [0.5, 0.0])
 def test_rests_on_a_belt_vanish_from_either_side(belt: float) -> None:
     """One of an orbit, or both together of one that is symmetric, by one word."""
-    case = ns.scene(on_a_belt("on-a-belt", 1.0, 0.1, 1.0, 0.7, 0.3, 0.36, belt))()
+    case = on_a_belt("on-a-belt", 1.0, 0.1, 1.0, 0.7, 0.3, 0.36, belt)
     events = both_ways(case, "force", (0.5, 2.0), (0.515, 1.5))
     assert [event.kind for (event,) in events] == ["sticking", "sticking"]
 
@@ -161,11 +155,10 @@ def test_a_further_slip_of_a_slider_comes_and_goes() -> None:
         Phase("stick", moved + held, Event(held + f), {"up": f - held, "down": f + held}),
     )
     own = parameters(limit=(f, "N", 0.189), joint=(t, "N/m", 15.4))
-    scene = Scene(
-        "slider", "a slider", (*oscillator(0.746, 0.4562, 1.0985, 0.5949), *own), phases,
-        frequency=Omega, half_period=True, memory=(Memory(w, "stick", x - f / t, "slider"),),
-    )  # fmt: skip
-    events = both_ways(ns.scene(scene)(), "force", (0.235, 0.25), (0.2367, 0.2475))
+    own += oscillator(0.746, 0.4562, 1.0985, 0.5949)
+    memory = (Memory(w, "stick", x - f / t, "slider"),)
+    scene = scene_of("slider", own, *phases, half_period=True, memory=memory)
+    events = both_ways(scene(), "force", (0.235, 0.25), (0.2367, 0.2475))
     assert len(events[0]) == 2
 
 
@@ -199,7 +192,7 @@ def on_a_vibrating_wall():
         mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.1), stiffness=(k, "N/m", 1.0),
         pull=(W, "N", 0.5), amplitude=(A, "m", 0.5), frequency=(Omega, "rad/s", 2.0),
     )  # fmt: skip
-    return ns.scene(Scene("wall", "a mass on a wall", own, (flight, rest), frequency=Omega))()
+    return scene_of("wall", own, flight, rest)()
 
 
 def test_an_end_of_the_range_may_be_special() -> None:
@@ -237,10 +230,8 @@ def test_where_a_surface_lies_does_not_matter(start: float) -> None:
         moved = m * a + c * v + k * (x - at) + Q - F * forcing
         free = Phase("free", moved, Event(x - at), {"above": x - at})
         pressed = Phase("pressed", moved + k_1 * (x - at), Event(x - at), {"below": at - x})
-        scene = Scene(
-            "shifted", "one", parameters(**own, **place), (free, pressed), frequency=Omega
-        )
-        found.append(ns.branch(ns.scene(scene)(), "load", -0.4, -0.1))
+        scene = scene_of("shifted", parameters(**own, **place), free, pressed)
+        found.append(ns.branch(scene(), "load", -0.4, -0.1))
     assert [len(branch) for branch in found] == [len(found[0])] * 2
     for branch in found:
         assert [event.kind for event in branch.events] == ["grazing", "fold", "fold"]
@@ -265,8 +256,8 @@ def between_stops(
         Phase("up", moved + 3 * k * (y - high), above, {"on": y - high}),
         Phase("down", moved + 3 * k * (y + low), below, {"on": -low - y}),
     )
-    known = (*oscillator(1.0, damping, 1.0, 1.1), *parameters(**own))
-    return ns.scene(Scene("between", "two stops", known, phases, frequency=Omega))
+    known = oscillator(1.0, damping, 1.0, 1.1) + parameters(**own)
+    return scene_of("between", known, *phases)
 
 
 def test_a_branch_begins_at_a_symmetric_orbit_where_the_parameter_breaks_the_symmetry() -> None:
@@ -342,7 +333,7 @@ def test_a_phase_ends_by_its_velocity_where_it_no_longer_reaches_a_stop() -> Non
         f_s=(f_s, "N", 0.15), f_k=(f_k, "N", 0.1), gap=(g, "m", 2.6), r=(r, "", 0.5)
     )
     known = tuple(q for q in oscillator(1.0, 0.0, 1.0, 0.8) if q.name != "damping")
-    case = ns.scene(Scene("rub", "", (*known, *own), phases, frequency=Omega))()
+    case = scene_of("rub", known + own, *phases)()
     for (event,) in both_ways(case, "gap", (2.2, 3.3), (2.6, 3.0)):
         assert (event.kind, event.parameter) == ("grazing", pytest.approx(2.72704538454870))
 
@@ -358,9 +349,7 @@ def test_two_phases_behind_a_surface_vanish_where_it_is_no_longer_reached() -> N
         Phase("away", law + c * v, Event(v), {"off": g - x, "down": -v}),
     )
     own = parameters(gap=(g, "m", 1.7), d=(d, "N s/m", 1.0), stop=(stop, "N/m", 5.0))
-    case = ns.scene(
-        Scene("one-way", "", (*oscillator(1.0, 0.2, 1.0, 0.8), *own), phases, frequency=Omega)
-    )()
+    case = scene_of("one-way", oscillator(1.0, 0.2, 1.0, 0.8) + own, *phases)()
     for (event,) in both_ways(case, "gap", (1.45, 2.18), (1.7, 2.0)):
         assert event.parameter == pytest.approx(1.82135084396810)
 
@@ -379,8 +368,7 @@ def test_a_phase_begins_just_before_a_landing_with_the_speed_before_it(friction:
     rest = Phase("rest", a, Event(presses), {"it presses": presses}, held=0)
     own = parameters(friction=(f, "N", 0.5), gap=(g, "m", 0.53), belt=(V, "m/s", 1.35))
     own += oscillator(1.0, 0.4, 1.0, 1.42)
-    phases = (slip, stick, ahead, rest)
-    scene = ns.scene(Scene("landing", "a mass on a belt", own, phases, frequency=Omega))
+    scene = scene_of("landing", own, slip, stick, ahead, rest)
     found = ns.branch(scene(friction=friction), "friction", 0.5, 0.87)
     assert [event.kind for event in found.events] == ["sticking"]
     assert found.events[0].parameter == pytest.approx(0.551930651358, rel=1e-11)
@@ -399,8 +387,8 @@ def test_an_orbit_that_hardly_moves_is_followed_though_it_does_not_change() -> N
     slip = Phase("slip", m * a + c * v + pull + f, Event(v), {"forwards": v, "far": h - x})
     stick = Phase("stick", a, Event(pull + f), {"holds": f - sp.Abs(pull)}, held=0)
     own += parameters(friction=(f, "N", 0.97), far=(h, "m", 1.0))
-    scene = Scene("slider", "a slider", own, (slip, stick), frequency=Omega, half_period=True)
-    found = ns.branch(ns.scene(scene)(), "far", 0.5, 2.0)
+    slider = scene_of("slider", own, slip, stick, half_period=True)()
+    found = ns.branch(slider, "far", 0.5, 2.0)
     assert found.why_it_ended == ("the end of the range",) * 2
     first, last = found.rows[0], found.rows[-1]
     assert last.durations == pytest.approx(first.durations, rel=1e-9)

@@ -8,11 +8,12 @@ import pytest
 import sympy as sp
 from bodies import test_random_chains as chains
 from bodies.reference_bodies import case, chain, of
+from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Phase
 from nonsmooth.solver import branches, chart
 from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.branch import every_way
@@ -27,6 +28,7 @@ from nonsmooth.solver.charts.plane import Plane
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.scenes.case import Case, index_of
+from nonsmooth.solver.scenes.loaded import LoadedScene
 from nonsmooth.solver.stability.stability import stability
 
 #: Most of the range of a parameter in a step.
@@ -369,7 +371,7 @@ def test_between_two_resonances_a_row_leaves_its_stop(damping) -> None:
         rows = chains.LINKS * (1 + 1j * frequency * damping) - frequency**2 * np.eye(4)
         return abs(np.linalg.inv(rows)[3, 0]) - 1.0
 
-    row = ns.scene(chains.chain("elastic"))
+    row = chains.chain("elastic")
     values = {"mass": 1.0, "stiffness": 1.0, "force": 1.0, "stop": 0.3, "gap": 1.0}
     found = ns.branch(row(damping=damping, frequency=0.59, **values), "frequency", 0.59, 0.8)
     touches = [brentq(over, *ends, xtol=1e-15) for ends in ((0.5, 0.68), (0.68, 0.9))]
@@ -389,7 +391,7 @@ def test_a_dip_just_behind_an_impact_of_a_stiff_beam_is_an_event() -> None:
 
 
 @cache
-def apart() -> Scene:
+def apart() -> LoadedScene:
     """Return two masses that nothing joins, with a stop each, in all orders of contacts."""
     omega, g, d, k = sp.symbols("Omega g d k", positive=True)
     numbers = {"M": np.eye(2), "K": np.diag([1.0, 1.1]), "C": 0.2 * np.eye(2)}
@@ -403,19 +405,17 @@ def apart() -> Scene:
         demands = {q.name: way if on else -way for q, way, on in pressed}
         return Phase(f"p{one}{other}{changes}", laws, ends=Event(off[changes]), demands=demands)
 
-    lengths = (Parameter("fixed", d, "m", 0.5, "gap"), Parameter("gap", g, "m", 0.8, "gap"))
-    others = (
-        Parameter("stop", k, "N/m", 4.0, "stiffness of both stops"),
-        Parameter("frequency", omega, "rad/s", 1.3, "of the forcing"),
-    )
+    own = parameters(
+        fixed=(d, "m", 0.5), gap=(g, "m", 0.8), stop=(k, "N/m", 4.0),
+        frequency=(omega, "rad/s", 1.3),
+    )  # fmt: skip
     order = ("000", "101", "110", "011", "001", "010", "111", "100")
-    phases = tuple(phase(*map(int, name)) for name in order)
-    return Scene("apart", "two", (*lengths, *others), phases, body=body, frequency=omega)
+    return scene_of("apart", own, *(phase(*map(int, name)) for name in order), body=body)
 
 
 def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> None:
     """Each mass has the orbit that it has alone."""
-    found = ns.branch(ns.scene(apart())(), "gap", 0.7, 1.2)
+    found = ns.branch(apart()(), "gap", 0.7, 1.2)
 
     def alone(stiffness: float, gap: float) -> np.ndarray:
         """Return the angles at which a contact begins and ends."""
@@ -437,7 +437,7 @@ def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> N
 
 def test_where_a_second_contact_ends_the_linear_response_is_beyond() -> None:
     """Whatever the first contact does there: that mass does not reach its stop."""
-    case_of_two = ns.scene(apart())(fixed=5.0)
+    case_of_two = apart()(fixed=5.0)
     found = ns.branch(case_of_two, "gap", 1.0, 2.0)
     reach = 1 / abs(1.1 - 1.3**2 + 0.26j)
     assert found.events[-1].kind == "grazing"
@@ -450,29 +450,17 @@ def test_where_a_second_contact_ends_the_linear_response_is_beyond() -> None:
 def test_a_mode_keeps_its_side_along_a_mass() -> None:
     """By itself the second mode of this row turns to the other side at 2.003 and 2.013 kg."""
     n, tip, gap, Omega = 4, *sp.symbols("m_t g Omega", positive=True)
-    K, M = sp.Matrix(chain_stiffness(n)), sp.diag(*[1] * (n - 1), tip)
+    K, M = sp.Matrix(in_a_row([1.0] * n)), sp.diag(*[1] * (n - 1), tip)
     push, end = [1.0] + [0.0] * (n - 1), [0.0] * (n - 1) + [1.0]
     body = Body(M=M, K=K, C=K / 20, forcing=sp.Matrix(push), at={"end": end})
     at = body.at["end"]
     bounce = Event(at.x - gap, jump={at.v: -0.6 * at.v})
-    own = (
-        Parameter("tip", tip, "kg", 2.2, "mass of the last"),
-        Parameter("gap", gap, "m", 0.2, "distance of the stop"),
-        Parameter("frequency", Omega, "rad/s", 0.4, "angular frequency"),
-    )
+    own = parameters(tip=(tip, "kg", 2.2), gap=(gap, "m", 0.2), frequency=(Omega, "rad/s", 0.4))
     flight = Phase("flight", at.force, bounce, {"before the stop": gap - at.x})
-    scene = Scene("row", "a row", own, (flight,), frequency=Omega, body=body)
-    case_of_row = ns.scene(scene)()
+    case_of_row = scene_of("row", own, flight, body=body)()
     found = ns.branch(case_of_row, "tip", 1.99, 2.06)
     assert found.why_it_ended == ("the end of the range",) * 2
     assert found.events == ()
     for row in (found.rows[0], found.rows[-1]):
         exact = exact_orbit(case_of_row.with_value("tip", row.value))
         assert row.durations == pytest.approx(exact.durations, rel=1e-9)
-
-
-def chain_stiffness(n: int) -> np.ndarray:
-    """Return the stiffness of a row of masses that is fixed at its begin."""
-    K = 2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1)
-    K[-1, -1] = 1
-    return K

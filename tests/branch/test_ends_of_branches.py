@@ -7,13 +7,13 @@ from functools import partial
 import numpy as np
 import pytest
 import sympy as sp
-from made_scenes import made
+from made_scenes import in_a_row, made, parameters, scene_of
 from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.codegen.scenes import chain_impact as impacts
 from nonsmooth.codegen.scenes import clearance as springs
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.scene import Body, Event, Phase, a, forcing, v, x
 from nonsmooth.solver import branches
 from nonsmooth.solver.bodies.motion import Given, signals
 from nonsmooth.solver.branch import every_way
@@ -124,28 +124,21 @@ def test_a_flight_vanishes_where_the_stop_holds_the_mass_for_ever(name, ends, ex
     assert event.parameter == pytest.approx(expected, rel=2e-15)
 
 
-def joined_row(damping: sp.Matrix) -> Scene:
+def joined_row(damping: sp.Matrix):
     """Return five masses in a row, the last on friction with the one before it."""
     F, f, Omega = sp.symbols("F f Omega", positive=True)
-    links = 2 * np.eye(5) - np.eye(5, k=1) - np.eye(5, k=-1)
-    links[-1, -1] = 1.0
     row = Body(
-        M=np.eye(5), K=1.085 * links, C=damping, modes=3, forcing=sp.Matrix([F, 0, 0, 0, 0]),
-        at={"joint": [0, 0, 0, -1, 1]},
+        M=np.eye(5), K=1.085 * in_a_row([1.0] * 5), C=damping, modes=3,
+        forcing=sp.Matrix([F, 0, 0, 0, 0]), at={"joint": [0, 0, 0, -1, 1]},
     )  # fmt: skip
     joint = row.at["joint"]
     slip = Phase("slip", joint.force + f, Event(joint.v), {"it slips": joint.v})
     holds = {"it holds": f - sp.Abs(joint.force)}
     stick = Phase("stick", joint.a, Event(joint.force - f), holds, held=0)
-    parameters = (
-        Parameter("force", F, "N", 0.345, "amplitude"),
-        Parameter("friction", f, "N", 0.1, "friction"),
-        Parameter("frequency", Omega, "rad/s", 0.74, "of the force"),
+    own = parameters(
+        force=(F, "N", 0.345), friction=(f, "N", 0.1), frequency=(Omega, "rad/s", 0.74)
     )
-    return Scene(
-        "joined-row", "a row", parameters, (slip, stick), frequency=Omega, half_period=True,
-        body=row,
-    )  # fmt: skip
+    return scene_of("joined-row", own, slip, stick, half_period=True, body=row)
 
 
 def test_a_slip_of_a_joint_vanishes_where_friction_just_holds() -> None:
@@ -153,7 +146,7 @@ def test_a_slip_of_a_joint_vanishes_where_friction_just_holds() -> None:
     damping = sp.zeros(5, 5)
     damping[0, 0], damping[1, 1], damping[2, 2], damping[4, 4] = 0.18, 0.18, 0.55, 0.037
     damping[1, 2] = damping[2, 1] = -0.061
-    case = ns.scene(joined_row(damping))()
+    case = joined_row(damping)()
     body, omega = case.cell.body, case.cell.omega
     stiff = np.diag(body.squares - omega**2) + 1j * omega * body.damping
     free, pushed = np.linalg.solve(stiff, np.column_stack([body.forcing, body.at])).T
@@ -210,10 +203,7 @@ def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:
         impacts.SCENE,
         name="chain-latch",
         phases=(replace(impacts.FLIGHT, ends=hard),),
-        parameters=(
-            *impacts.SCENE.parameters,
-            Parameter("least", least, "m/s", 1.4, "speed of an impact at least"),
-        ),
+        parameters=impacts.SCENE.parameters + parameters(least=(least, "m/s", 1.4)),
     )
     latch = ns.scene(scene)
     found = ns.branch(latch(), "gap", 0.9, 1.2)
@@ -253,15 +243,11 @@ def test_a_stick_on_a_belt_ends_where_the_linear_response_just_has_its_speed() -
         "slip", a * m + c * v + k * x - F * forcing - f, ends=Event(v - V),
         demands={"it is slower than the belt": V - v},
     )  # fmt: skip
-    units = ("kg", 0.2355), ("N s/m", 0.0447), ("N/m", 1.6), ("N", 0.05), ("N", 1.379)
-    symbols = zip((m, c, k, f, F), units, strict=True)
-    values = [Parameter(str(q), q, unit, value, "a number") for q, (unit, value) in symbols]
-    values += [Parameter("V", V, "m/s", 0.67, "belt"), Parameter("W", Omega, "rad/s", 0.7, "W")]
-    belt = Scene(
-        "belt", "a driven mass on a belt", parameters=tuple(values), phases=(stick, slip),
-        frequency=Omega,
+    own = parameters(
+        m=(m, "kg", 0.2355), c=(c, "N s/m", 0.0447), k=(k, "N/m", 1.6), f=(f, "N", 0.05),
+        F=(F, "N", 1.379), V=(V, "m/s", 0.67), frequency=(Omega, "rad/s", 0.7),
     )  # fmt: skip
-    branch = ns.branch(ns.scene(belt)(), "k", 1.5, 1.9)
+    branch = ns.branch(scene_of("belt", own, stick, slip)(), "k", 1.5, 1.9)
     reach = np.sqrt((1.379 * 0.7 / 0.67) ** 2 - (0.0447 * 0.7) ** 2)
     assert [event.kind for event in branch.events] == ["sticking"]
     assert branch.events[0].parameter == pytest.approx(0.2355 * 0.7**2 + reach, rel=1e-12)
@@ -283,11 +269,8 @@ def test_a_branch_of_a_motion_with_a_phase_that_no_longer_motion_has() -> None:
     scene = replace(
         springs.SCENE, name="spring-or-stop", phases=(), guess=(), extremes={},
         motions={"spring": (springs.CONTACT, springs.SEPARATED), "stop": (hit,)},
-        parameters=(
-            *springs.SCENE.parameters,
-            Parameter("stop", g, "m", 0.1, "distance of the stop"),
-            Parameter("restitution", r, "", 0.6, "speed after over speed before"),
-        ),
+        parameters=springs.SCENE.parameters
+        + parameters(stop=(g, "m", 0.1), restitution=(r, "", 0.6)),
     )  # fmt: skip
     numbers = {"damping": 0.1, "frequency": 1.8}
     found = ns.branch(ns.scene(scene)(gap=50.0, **numbers), "frequency", 1.7, 1.9)
@@ -306,12 +289,7 @@ def test_a_branch_is_closed_where_the_angle_of_the_forcing_turns_round() -> None
     tip = chain.at["tip"]
     stop = Event(tip.x - g, jump={tip.v: -0.7 * tip.v})
     flight = Phase("flight", tip.force, ends=stop, demands={"before the stop": g - tip.x})
-    gap = Parameter("gap", g, "m", 0.02, "displacement of the tip at the stop")
-    frequency = Parameter("frequency", omega, "rad/s", 5.8, "of the forcing")
-    scene = Scene(
-        "chain", "three masses and a stop", body=chain, frequency=omega,
-        parameters=(gap, frequency), phases=(flight,),
-    )  # fmt: skip
-    found = ns.branch(ns.scene(scene)(), "frequency", 4.0, 12.0)
+    own = parameters(gap=(g, "m", 0.02), frequency=(omega, "rad/s", 5.8))
+    found = ns.branch(scene_of("chain", own, flight, body=chain)(), "frequency", 4.0, 12.0)
     assert found.why_it_ended == ("the branch is closed",) * 2
     assert [event.kind for event in found.events] == ["grazing", "torus", "flip", "grazing"]

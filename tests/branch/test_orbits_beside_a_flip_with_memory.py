@@ -6,9 +6,10 @@ The slider holds by a spring until that pulls with its friction; where it is, is
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import parameters, scene_of
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.scene import Body, Event, Memory, Phase, a, forcing, v, x
 from nonsmooth.solver.branch.branch import BothWays, go, start_of
 from nonsmooth.solver.branch.orders.change import doubled
 from nonsmooth.solver.exact import exact_orbit
@@ -18,19 +19,14 @@ m, k, c, F, k_t, f, g, r, Omega = sp.symbols("m k c F k_t f g r Omega", positive
 w, b = sp.symbols("w b_s", real=True)
 
 FRICTION, GAP = 0.005, 0.3
-OF_SLIDER = (
-    Parameter("tangential", k_t, "N/m", 0.2, "spring of the slider"),
-    Parameter("friction", f, "N", FRICTION, "friction of the slider"),
-    Parameter("gap", g, "m", GAP, "to the stop"),
-    Parameter("restitution", r, "", 0.95, "of the stop"),
-    Parameter("frequency", Omega, "rad/s", 1.5, "of the forcing"),
-)
-OF_MASS = (
-    Parameter("mass", m, "kg", 1.0, "mass"),
-    Parameter("stiffness", k, "N/m", 1.0, "its spring"),
-    Parameter("damping", c, "N s/m", 0.01, "its damper"),
-    Parameter("force", F, "N", 1.0, "amplitude of the forcing"),
-)
+OF_SLIDER = parameters(
+    tangential=(k_t, "N/m", 0.2), friction=(f, "N", FRICTION), gap=(g, "m", GAP),
+    restitution=(r, "", 0.95), frequency=(Omega, "rad/s", 1.5),
+)  # fmt: skip
+OF_MASS = parameters(
+    mass=(m, "kg", 1.0), stiffness=(k, "N/m", 1.0), damping=(c, "N s/m", 0.01),
+    force=(F, "N", 1.0),
+)  # fmt: skip
 
 #: A range of the frequency, and where an orbit and that beside it have flips.
 ENDS, FLIPS = (2.0725, 2.0745), [2.07316492483177, 2.07423172384041]
@@ -39,7 +35,7 @@ ENDS, FLIPS = (2.0725, 2.0745), [2.07316492483177, 2.07423172384041]
 ONE = Body(M=np.eye(1), K=np.eye(1), C=0.01 * np.eye(1), forcing=np.ones(1), at={"tip": [1.0]})
 
 
-def scene(*, body: bool = False, half: bool = False) -> Scene:
+def scene(*, body: bool = False, half: bool = False):
     """Return a stop on one side, of a mass or of a body of one; on both, of a mass."""
     tip = ONE.at["tip"]
     place, speed = (tip.x, tip.v) if body else (x, v)
@@ -61,16 +57,16 @@ def scene(*, body: bool = False, half: bool = False) -> Scene:
     memory = (Memory(w, "held", place - f / k_t, "where the slider is"),)
     if not half:
         memory += (Memory(b, "caught", place + f / k_t, "where it is then"),)
-    return Scene(
-        f"slider{'-body' * body}{'-between' * half}", "a mass on a slider that hits stops",
+    return scene_of(
+        f"slider{'-body' * body}{'-between' * half}",
         OF_SLIDER if body else OF_SLIDER + OF_MASS,
-        (forward, held) if half else (forward, held, back, caught),
-        frequency=Omega, half_period=half, memory=memory, body=ONE if body else None,
+        *((forward, held) if half else (forward, held, back, caught)),
+        half_period=half, memory=memory, body=ONE if body else None,
     )  # fmt: skip
 
 
 def test_at_a_flip_there_is_an_orbit_of_twice_the_period() -> None:
-    case = ns.scene(scene())()
+    case = scene()()
     single, double = ns.branches(case, "frequency", *ENDS)
     (flip,) = single.events
     meeting, second = double.events
@@ -94,7 +90,7 @@ def test_at_a_flip_there_is_an_orbit_of_twice_the_period() -> None:
 
 def test_the_same_as_a_body_has_the_same_flips() -> None:
     """By other equations; at the beginnings of phases its velocity is rounding."""
-    mass, body = (ns.scene(scene(body=q))(frequency=2.073) for q in (False, True))
+    mass, body = (scene(body=q)(frequency=2.073) for q in (False, True))
     orbit = ns.exact(mass)
     start = exact_orbit(body, orbit.durations, orbit.forcing_phase)
     single = BothWays(index_of(body, "frequency"))
@@ -114,7 +110,7 @@ def test_where_symmetry_is_lost_there_is_an_orbit_without_it(friction, ends) -> 
 
     A simulation may settle on the first: it is a branch once.
     """
-    case = ns.scene(scene(half=True))(restitution=0.8, friction=friction)
+    case = scene(half=True)(restitution=0.8, friction=friction)
     found = ns.branches(case, "frequency", *ends)
     lost = [
         event.parameter for q in found for event in q.events if event.kind == "branch-point"

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import parameters, scene_of
 
 import nonsmooth as ns
-from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.scene import Event, Phase, a, forcing, v, x
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
 
@@ -20,11 +21,10 @@ KNOWN = {
 }  # fmt: skip
 
 
-def scene_of(name: str, phases: tuple[Phase, ...], **values: float):
-    """Return a scene of unit mass and stiffness with values of the other parameters."""
+def of_unit(**values: float):
+    """Return the parameters of unit mass and stiffness with values of the others."""
     given = {"mass": 1.0, "stiffness": 1.0, **values}
-    own = [Parameter(q, *KNOWN[q], value, q) for q, value in given.items()]
-    return ns.scene(Scene(name, "a driven mass", tuple(own), phases, frequency=Omega))
+    return parameters(**{q: (*KNOWN[q], value) for q, value in given.items()})
 
 
 def rubbing(pull: sp.Expr, beyond: dict[str, sp.Expr], name: str = "", *more: Event):
@@ -51,14 +51,14 @@ def before_a_spring(**values: float):
         side = {"its side": x - g if on else g - x}
         meets = (None, Event(x - g)) if on else (Event(x - g), None)
         phases += rubbing(pull, side, str(on), *meets)
-    return scene_of("rough-spring", phases, **values)
+    return scene_of("rough-spring", of_unit(**values), *phases)
 
 
 def test_both_reversals_begin_to_stick_at_once_though_no_symmetry_is_declared() -> None:
     """A load moves the middle: half a period is no order of the scene."""
     pull = F * forcing - P - c * v - k * x
     values = {"damping": 0.03775, "force": 0.356632, "frequency": 1.039876, "load": 0.374415}
-    scene = scene_of("loaded", rubbing(pull, {}), friction=0.192196, **values)
+    scene = scene_of("loaded", of_unit(friction=0.192196, **values), *rubbing(pull, {}))
     found = ns.branch(scene(), "friction", 0.19, 0.34)
     assert [event.kind for event in found.events] == ["sticking"]
     assert found.why_it_ended == ("the end of the range",) * 2
@@ -118,7 +118,7 @@ def test_a_mass_that_is_always_held_is_no_order() -> None:
     phases = rubbing(pull, before, "", Event(x - g, jump={v: 0}))
     rest = Phase("rest", a, Event(rests), {"it presses": rests}, held=0)
     values = {"damping": 0.05, "load": 0.4, "force": 0.91, "frequency": 0.55, "gap": 0.5}
-    scene = scene_of("lands", (*phases, rest), friction=0.38, **values)
+    scene = scene_of("lands", of_unit(friction=0.38, **values), *phases, rest)
     assert len(ns.exact(scene()).phases) == 4
     with pytest.raises(NoOrbit) as caught:
         ns.exact(scene(force=0.01, load=0.1))
@@ -135,17 +135,7 @@ def test_phases_that_shrink_to_nothing_together_are_no_orbit() -> None:
     holds = f - k * x - c * V
     slip = Phase("slower", slower, Event(v - V) | stop, {"slower": V - v, **before})
     stick = Phase("stick", a, Event(holds) | stop, {"it sticks": holds, **before}, held=V)
-    own = [
-        Parameter(q, *KNOWN[q], value, q)
-        for q, value in {
-            "mass": 1.0,
-            "stiffness": 1.0,
-            "damping": 0.15,
-            "friction": 0.3,
-            "gap": 0.13,
-        }.items()
-    ]
-    own += [Parameter("belt", V, "m/s", 1.0, "V"), Parameter("r", r, "", 0.67, "r", most=1)]
-    scene = ns.scene(Scene("belt-stop", "a mass on a belt", tuple(own), (stick, slip)))
+    own = of_unit(damping=0.15, friction=0.3, gap=0.13)
+    own += parameters(belt=(V, "m/s", 1.0), r=(r, "", 0.67))
     with pytest.raises(NoOrbit, match="chatter"):
-        ns.exact(scene())
+        ns.exact(scene_of("belt-stop", own, stick, slip)())

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from made_scenes import made
+from made_scenes import in_a_row, made
 
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import one_phase
@@ -152,9 +152,7 @@ def test_a_constant_on_the_circle_alone_decides():
 def test_a_body_that_does_not_reach_its_stop_says_how_far_it_comes(gap, reaches):
     """By the response of its matrices."""
     case = registry.load("chain-impact")(gap=gap)
-    links = 2 * np.eye(5) - np.eye(5, k=1) - np.eye(5, k=-1)
-    links[4, 4] = 1
-    rows = links * (1 + 0.05j * 0.5) - 0.25 * np.eye(5)
+    rows = in_a_row([1] * 5) * (1 + 0.05j * 0.5) - 0.25 * np.eye(5)
     size = abs(np.linalg.solve(rows, np.eye(5)[0])[4])
     words = [
         f"the contact can move in flight for ever, without switches, |x| up to {size:.6g} m"

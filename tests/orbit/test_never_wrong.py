@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
-from made_scenes import Given, made
+from made_scenes import Given, made, parameters, scene_of
 from numpy.polynomial import Polynomial
 
-from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene
-from nonsmooth.scene import find as scene_of
+from nonsmooth.scene import Body, Event, Memory, Phase
 from nonsmooth.solver import exact, solve
 from nonsmooth.solver.exact import exact_orbit, from_times
 from nonsmooth.solver.existence import one_phase
@@ -197,7 +196,7 @@ def test_a_slip_of_a_body_that_is_all_rounding_is_none():
         exact_orbit(case)
 
 
-def stop_and_joint() -> Scene:
+def stop_and_joint():
     """Return four masses in a row, a stop at the last, and a friction joint of two of them."""
     K = np.array(
         [
@@ -233,17 +232,15 @@ def stop_and_joint() -> Scene:
             phases.append(Phase(name + how, laws, ends, {**away, "joint": holds}))
     values = {"k": (k, "N/m", 26.98), "gap": (g, "m", 0.3734), "spring": (spring, "N/m", 14.81)}
     values |= {"limit": (limit, "N", 2.755), "frequency": (frequency, "rad/s", 0.6828)}
-    parameters = tuple(Parameter(name, *each, name) for name, each in values.items())
     sets = Memory(w, ("open_stick", "touch_stick"), joint.x + joint.force / spring, "slider")
-    return Scene("stop-and-joint", "", parameters, tuple(phases), frequency=frequency,
-                 body=body, memory=(sets,))  # fmt: skip
+    return scene_of("stop-and-joint", parameters(**values), *phases, body=body, memory=(sets,))
 
 
 @pytest.mark.parametrize("limit", [2.755, 2.76])
 def test_a_slip_at_a_double_root_of_the_equations_is_none(limit):
     """There Newton's method ends at 1e-7 s; the slider sticks for ever, at any place."""
     with pytest.raises(NoOrbit, match="none of them sets w"):
-        exact_orbit(scene_of(stop_and_joint())(limit=limit))
+        exact_orbit(stop_and_joint()(limit=limit))
 
 
 def test_of_two_orbits_the_stable_one_is_returned_and_the_other_named():

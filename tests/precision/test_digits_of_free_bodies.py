@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy as sp
-from bodies.test_bodies_that_move_freely import ball_in_a_slot, scene
+from bodies.test_bodies_that_move_freely import ball_in_a_slot, row, scene
 from bodies.test_large_and_free_bodies import FIRST, TWO, case
 
 pytest.importorskip("flint")
@@ -47,19 +47,6 @@ def gears():
 
 
 @cache
-def row():
-    """Return some modes of masses in a row, which only its end holds."""
-    n = 6
-    K = 4.0 * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
-    K[0, 0] = K[-1, -1] = 4.0
-    own = scene(
-        "row", np.eye(n) / n, K, np.eye(n)[-1].tolist(), "springs", forcing=[1, *[0] * (n - 1)],
-        C=0.02 * K + 0.05 * np.eye(n) / n, modes=3,
-    )  # fmt: skip
-    return own(force=0.4, gap=0.1, stiffness=2.0)
-
-
-@cache
 def resonance():
     """Return two masses, forced at the frequency of their first mode."""
     return case(np.eye(2), TWO, FIRST)
@@ -69,7 +56,7 @@ CASES = {
     "particle": particle,
     "ball": ball,
     "gears": gears,
-    "row": row,
+    "row": cache(row),
     "resonance": resonance,
 }
 

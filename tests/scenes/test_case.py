@@ -6,9 +6,9 @@ import pickle
 
 import pytest
 import sympy as sp
+from made_scenes import parameters, scene_of
 
-import nonsmooth as ns
-from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.scene import Event, Phase, a, forcing, v, x
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scaling import product_of_powers
 from nonsmooth.solver.scenes import loaded
@@ -96,14 +96,11 @@ def test_the_parameter_that_leaves_no_unit_is_named_not_the_one_farthest_off() -
     flight = Phase(
         "flight", m * a + c * v + k * x - F * forcing, ends=Event(x, jump={v: -v / 2})
     )
-    parameters = (
-        Parameter("mass", m, "kg", 1.0, "mass"),
-        Parameter("damping", c, "N s/m", 0.1, "damping"),
-        Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
-        Parameter("force", F, "N", 0.4, "force"),
-        Parameter("frequency", W, "rad/s", 1.0, "frequency"),
-    )
-    scene = ns.scene(Scene("bouncing", "a mass", parameters, (flight,), frequency=W))
+    own = parameters(
+        mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.1), stiffness=(k, "N/m", 1.0),
+        force=(F, "N", 0.4), frequency=(W, "rad/s", 1.0),
+    )  # fmt: skip
+    scene = scene_of("bouncing", own, flight)
     with pytest.raises(ParameterError, match=r"; force = 0.0 makes it so, force ="):
         scene(force=0.0, mass=3.0)
 

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import parameters, scene_of
 from scipy.linalg import expm
 from shown import ROOT
 
@@ -21,7 +22,7 @@ import nonsmooth as ns
 from nonsmooth.codegen.scene import SceneError, in_order
 from nonsmooth.codegen.scenes import load
 from nonsmooth.described import document
-from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Memory, Phase
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.no_orbit import NoOrbit
 
@@ -333,7 +334,7 @@ def test_a_phase_that_vanishes_is_no_grazing_of_the_next(ends) -> None:
     assert first.parameter == pytest.approx(0.045859413882997, rel=1e-13)
 
 
-def with_all_phases() -> Scene:
+def with_all_phases():
     """Return the frame with all nine phases declared, each with its events, and no half."""
     force, spring, frequency = sp.symbols("F k_t Omega", positive=True)
     limits = sp.symbols("f_low f_top", positive=True)
@@ -368,15 +369,12 @@ def with_all_phases() -> Scene:
     values = {"low": (limits[0], "N", 0.1), "top": (limits[1], "N", 0.2)}
     values |= {"spring": (spring, "N/m", 1.0), "force": (force, "N", 0.3)}
     values |= {"frequency": (frequency, "rad/s", 0.6)}
-    parameters = tuple(Parameter(name, *each, name) for name, each in values.items())
-    return Scene(
-        "all", "", parameters, tuple(phases), frequency=frequency, body=body, memory=memory
-    )
+    return scene_of("all", parameters(**values), *phases, body=body, memory=memory)
 
 
 def test_phases_and_their_images_vanish_at_once_where_no_half_is_declared() -> None:
     """On the way two contacts switch in the other order, in both halves of the period."""
-    branch = ns.branch(case_of(with_all_phases(), low=0.081), "low", 0.0797, 0.0815)
+    branch = ns.branch(with_all_phases()(low=0.081), "low", 0.0797, 0.0815)
     assert branch.why_it_ended == ("the end of the range",) * 2
     of_half = ns.branch(joints(low_friction=0.081), "low_friction", 0.0797, 0.0815)
     found, expected = ([e.parameter for e in each.events] for each in (branch, of_half))

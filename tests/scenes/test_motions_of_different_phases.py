@@ -9,11 +9,12 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
+from made_scenes import parameters
 
 import nonsmooth as ns
 from nonsmooth.codegen.scene.orders import all_phases as phases_of
 from nonsmooth.codegen.scene.orders import in_order
-from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.scene import Body, Event, Memory, Phase, Scene, a, forcing, v, x
 from nonsmooth.solver.branch.orders.itinerary import Itinerary
 from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.in_order import cases_in_order, motion_of
@@ -25,14 +26,10 @@ from nonsmooth.solver.simulation.settle import rough_times_by_simulation
 
 c, F, g, k, m, Omega = sp.symbols("c F g k m Omega", positive=True)
 w = sp.Symbol("w", real=True)
-PARAMETERS = (
-    Parameter("mass", m, "kg", 1.0, "mass"),
-    Parameter("damping", c, "N s/m", 0.1, "viscous damping"),
-    Parameter("stiffness", k, "N/m", 1.0, "stiffness of the spring"),
-    Parameter("gap", g, "m", 0.5, "distance of the stops"),
-    Parameter("force", F, "N", 0.5, "amplitude of the force"),
-    Parameter("frequency", Omega, "rad/s", 1.0, "angular frequency of the force"),
-)
+PARAMETERS = parameters(
+    mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.1), stiffness=(k, "N/m", 1.0),
+    gap=(g, "m", 0.5), force=(F, "N", 0.5), frequency=(Omega, "rad/s", 1.0),
+)  # fmt: skip
 LOAD = F * forcing - k * x
 MOVES = m * a + c * v - LOAD
 

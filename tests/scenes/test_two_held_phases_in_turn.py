@@ -10,11 +10,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import parameters
 from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
 from nonsmooth.codegen.scene import SceneError
-from nonsmooth.scene import Event, Parameter, Phase, Scene, a, v, x
+from nonsmooth.scene import Event, Phase, Scene, a, v, x
 
 m, k, V, S, K, k_1, g = sp.symbols("m k V S K k_1 g", positive=True)
 c, w = sp.symbols("c w", nonnegative=True)
@@ -30,16 +31,10 @@ def stick(name: str, load: sp.Expr, demands: Mapping[str, sp.Expr]) -> Phase:
 SCENE = Scene(
     "belt-and-stop",
     "a belt and a stop",
-    parameters=(
-        Parameter("mass", m, "kg", 1.0, "mass"),
-        Parameter("damping", c, "N s/m", 0.05, "damping"),
-        Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
-        Parameter("belt", V, "m/s", 0.5, "speed of the belt"),
-        Parameter("static", S, "N", 1.0, "static friction"),
-        Parameter("kinetic", K, "N", 0.7, "kinetic friction"),
-        Parameter("weak", w, "N s/m", 0.15, "how it weakens"),
-        Parameter("contact", k_1, "N/m", 4.0, "stiffness of the stop"),
-        Parameter("gap", g, "m", 0.9, "distance of the stop"),
+    parameters=parameters(
+        mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.05), stiffness=(k, "N/m", 1.0),
+        belt=(V, "m/s", 0.5), static=(S, "N", 1.0), kinetic=(K, "N", 0.7),
+        weak=(w, "N s/m", 0.15), contact=(k_1, "N/m", 4.0), gap=(g, "m", 0.9),
     ),
     phases=(
         stick("stick", FREE, {"before": g - x}),
@@ -52,7 +47,7 @@ SCENE = Scene(
             demands={"slower": V - v, "behind": x - g},
         ),
     ),
-)
+)  # fmt: skip
 BELT, ORDER = ns.scene(SCENE), "slip,stick,hold,slide"
 
 

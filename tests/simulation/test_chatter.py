@@ -6,10 +6,11 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import parameters, scene_of
 from stops import DAMPING, GAP, OMEGA, between_two, resting
 
 import nonsmooth as ns
-from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.scene import Event, Phase, a, forcing, v, x
 
 
 def accumulation(t, v, restitution):
@@ -136,19 +137,19 @@ def test_impacts_that_accumulate_with_stops_by_friction_between_are_chatter() ->
     """Each jump off the stop ends by friction, then the force drives the mass back."""
     f, g, r, F, Omega = sp.symbols("f g r F Omega", positive=True)
     m, c, k = sp.symbols("m c k", positive=True)
-    pull, values = k * x - F * forcing, (1.0, 0.151, 1.0, 1.0, 0.9228, 0.2218, 0.1225, 0.2019)
+    pull = k * x - F * forcing
     jump = Event(x - g, jump={v: -r * v}, to="-slip")
     ahead = {"ahead": v, "before the stop": g - x}
     slip = Phase("slip", m * a + c * v + pull + f, Event(v) | jump, ahead)
     ends = Event(pull - f, to="-slip") | Event(pull + f, to="slip")
     stick = Phase("stick", a, ends, {"it holds": f - sp.Abs(pull)}, held=0)
-    units = ("kg", "N s/m", "N/m", "N", "rad/s", "m", "N", "")
-    known = zip((m, c, k, F, Omega, g, f, r), units, values, strict=True)
-    own = tuple(Parameter(str(q), q, unit, value, "a number") for q, unit, value in known)
-    scene = Scene(
-        "rub", "friction between stops", own, (slip, stick), frequency=Omega, half_period=True
-    )
-    motion = ns.simulate(ns.scene(scene)(), (0.0, 0.0), cycles=10)
+    own = parameters(
+        m=(m, "kg", 1.0), c=(c, "N s/m", 0.151), k=(k, "N/m", 1.0), F=(F, "N", 1.0),
+        frequency=(Omega, "rad/s", 0.9228), g=(g, "m", 0.2218), f=(f, "N", 0.1225),
+        r=(r, "", 0.2019),
+    )  # fmt: skip
+    rub = scene_of("rub", own, slip, stick, half_period=True)()
+    motion = ns.simulate(rub, (0.0, 0.0), cycles=10)
     assert motion.ended.startswith("chatter: slip ends ever sooner, the switches accumulate at")
     impact, stop, *_ = (q.duration for q in motion.phases[-4:])
     assert min(impact, stop) < 1e-6

@@ -6,10 +6,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Phase
 from nonsmooth.solver.existence import bodies
 from nonsmooth.solver.existence.known import known
 from nonsmooth.solver.kernels import registry
@@ -20,8 +21,7 @@ from nonsmooth.solver.simulation.settle import rough_times_by_simulation
 #: Masses of the chain, and points of a phase at which demands are looked at.
 COUNT, POINTS = 6, 400
 
-LINKS = (2 * np.eye(COUNT) - np.eye(COUNT, k=1) - np.eye(COUNT, k=-1)).astype(int)
-LINKS[-1, -1] = 1
+LINKS = in_a_row([1] * COUNT)
 PUSHED = np.eye(COUNT)[0]
 
 #: Places of the stops, and which of them are met in each phase: they are met one by one.
@@ -32,7 +32,7 @@ MET = ((0,), (0, 1), (0, 1, 2), (0, 1), (0,), ())
 PARTS = (0.3, 0.5, 0.7)
 
 
-def stopped(by_force: bool = False) -> Scene:
+def stopped(by_force: bool = False):
     """Return a chain with three stops; what ends a contact is said by its force, if wanted."""
     k, c, w = sp.symbols("k c w", positive=True)
     gaps = sp.symbols("gap_1:4", positive=True)
@@ -48,10 +48,10 @@ def stopped(by_force: bool = False) -> Scene:
         demands = {f"stop {i}": q if i in met else -q for i, q in enumerate(seen)}
         (changed,) = set(met) ^ set(then)
         phases.append(Phase(f"p{p}", laws, Event(seen[changed]), demands))
-    rows = [("stop", k, "N/m"), ("damping", c, "N s/m"), ("frequency", w, "rad/s")]
-    rows += [(f"gap{i}", gap, "m") for i, gap in enumerate(gaps)]
-    parameters = tuple(Parameter(*q, 0.5, q[0]) for q in rows)
-    return Scene("stops", "a chain", parameters, tuple(phases), frequency=w, body=body)
+    own = {"stop": (k, "N/m", 0.5), "damping": (c, "N s/m", 0.5)}
+    own |= {f"gap{i}": (gap, "m", 0.5) for i, gap in enumerate(gaps)}
+    known = parameters(frequency=(w, "rad/s", 0.5), **own)
+    return scene_of("stops", known, *phases, body=body)
 
 
 def amplitudes(frequency: float, damping: float) -> np.ndarray:
@@ -63,7 +63,7 @@ def amplitudes(frequency: float, damping: float) -> np.ndarray:
 @pytest.fixture(scope="module", params=[False, True], ids=["by places", "by forces"])
 def scene(request):
     """Return the chain, derived once."""
-    return ns.scene(stopped(request.param))
+    return stopped(request.param)
 
 
 def at(scene, stop: float, damping: float, frequency: float, parts=PARTS):
@@ -168,7 +168,7 @@ def test_several_cycles_have_no_such_start(scene) -> None:
 
 
 def test_a_half_cell_of_friction_has_such_a_start() -> None:
-    case = ns.scene(rubbed())(frequency=0.4, damping=0.01, friction=0.01)
+    case = rubbed()(frequency=0.4, damping=0.01, friction=0.01)
     start = homotopy.from_linear_response(case.cell)
     assert start is not None
     orbit = from_times(case, start)
@@ -177,7 +177,7 @@ def test_a_half_cell_of_friction_has_such_a_start() -> None:
     assert known(case).orbits[0].times == pytest.approx(orbit.times)
 
 
-def rubbed() -> Scene:
+def rubbed():
     """Return a chain with three contacts that slip, in half a period: the driven end first."""
     c, w, force = sp.symbols("c w force", positive=True)
     body = Body(
@@ -192,11 +192,10 @@ def rubbed() -> Scene:
             f"{i}": s * q.v for i, (q, s) in enumerate(zip(contacts, signs, strict=True))
         }
         phases.append(Phase(f"p{p}", laws, Event(contacts[p].v), demands))
-    rows = (("damping", c, "N s/m"), ("frequency", w, "rad/s"), ("friction", force, "N"))
-    parameters = tuple(Parameter(*q, 0.5, q[0]) for q in rows)
-    return Scene(
-        "rubbed", "a chain", parameters, tuple(phases), frequency=w, body=body, half_period=True
+    own = parameters(
+        damping=(c, "N s/m", 0.5), frequency=(w, "rad/s", 0.5), friction=(force, "N", 0.5)
     )
+    return scene_of("rubbed", own, *phases, body=body, half_period=True)
 
 
 def off(orbit) -> float:

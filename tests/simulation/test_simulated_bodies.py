@@ -9,12 +9,13 @@ import sympy as sp
 from bodies import test_random_chains as chains
 from bodies.reference_bodies import body, case, of
 from every_run import tried
+from made_scenes import in_a_row, parameters, scene_of
 from refusals import refused
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Phase
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.bodies import solutions
 from nonsmooth.solver.in_order import cases_in_order
@@ -113,7 +114,7 @@ def test_events_of_a_chain_are_those_of_an_integrator() -> None:
 @pytest.fixture(scope="module", params=["rigid", "elastic"])
 def scene(request):
     """Return a random chain's scene, derived once."""
-    return ns.scene(chains.chain(request.param))
+    return chains.chain(request.param)
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -224,18 +225,14 @@ def on_a_stop(body: Body, gap: float, frequency: float):
     stop = Event(end.x - g, jump={end.v: 0})
     flight = Phase("flight", end.force, stop, {"before the stop": g - end.x})
     rest = Phase("rest", end.a, Event(end.force), {"it presses": -end.force}, held=0)
-    parameters = (
-        Parameter("gap", g, "m", gap, "gap"),
-        Parameter("frequency", Omega, "rad/s", frequency, "frequency"),
-    )
-    own = Scene("stop", "a stop", parameters, (flight, rest), frequency=Omega, body=body)
-    return ns.scene(own)
+    own = parameters(gap=(g, "m", gap), frequency=(Omega, "rad/s", frequency))
+    return scene_of("stop", own, flight, rest, body=body)
 
 
 def test_a_row_rests_on_a_stop_until_it_is_pulled_off() -> None:
     """By matrix exponentials of the row, with its end free and held."""
     n, gap = 3, 0.2
-    K, C, pulled = chains.LINKS[1:, 1:].astype(float), 0.1 * np.eye(n), np.array([0, 0, 1.0])
+    K, C, pulled = in_a_row([1.0] * n), 0.1 * np.eye(n), np.array([0, 0, 1.0])
     row = Body(M=np.eye(n), K=K, C=C, forcing=pulled, at={"end": [0, 0, 1]})
     own = on_a_stop(row, gap, 0.3)
     pressed = ns.simulate(own(gap=-5.0), cycles=8)  # by 5/3 N, and pulled by 1 N
@@ -275,7 +272,7 @@ def test_without_rebound_rounding_is_no_velocity() -> None:
         assert starts[0] == pytest.approx(starts[1], abs=1e-12)
 
 
-def no_gap(stiffer: float = 4.0) -> Scene:
+def no_gap(stiffer: float = 4.0):
     """Return the scene of two masses of which the second has no gap to what is stiffer."""
     k, F, Omega = sp.symbols("k F Omega", positive=True)
     pair = Body(
@@ -285,16 +282,16 @@ def no_gap(stiffer: float = 4.0) -> Scene:
     end = pair.at["end"]
     on = Phase("on", end.force + stiffer * k * end.x, Event(end.x), {"pressed": end.x})
     off = Phase("off", end.force + k * end.x / 4, Event(end.x), {"off": -end.x})
-    values = (("stiffness", k, "N/m", 1.0), ("force", F, "N", 1.0))
-    parameters = [Parameter(*q, "its value") for q in values]
-    parameters.append(Parameter("frequency", Omega, "rad/s", 0.6, "of the forcing"))
-    return Scene("no-gap", "two", tuple(parameters), (on, off), frequency=Omega, body=pair)
+    own = parameters(
+        stiffness=(k, "N/m", 1.0), force=(F, "N", 1.0), frequency=(Omega, "rad/s", 0.6)
+    )
+    return scene_of("no-gap", own, on, off, body=pair)
 
 
 @pytest.mark.parametrize("frequency", [0.5, 0.6, 0.65])
 def test_from_rest_where_phases_meet_a_body_moves(frequency) -> None:
     """What pulls elsewhere comes later: until then all is rounding.  A scan finds the orbit."""
-    own = ns.scene(no_gap())(frequency=frequency)
+    own = no_gap()(frequency=frequency)
     motion = ns.simulate(own, cycles=60)
     (orbit,) = (q for q in solutions(own) if q.admissible)
     assert (motion.phases[0].name, motion.ended) == ("on", "")
