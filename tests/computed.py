@@ -20,6 +20,13 @@ LIGHT = ns.StickSlip(
 )
 
 
+def belt_of(alpha: float) -> ns.StickSlip:
+    """Return an oscillator of this alpha whose units are those of the polynomials."""
+    return ns.StickSlip(
+        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
+    )
+
+
 class Exact:
     """The exact orbit, from the parameters: stick from A to B, then an arc back."""
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from computed import belt_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from one_mass import NAMES as ONE_MASS
@@ -33,12 +34,6 @@ from nonsmooth.solver.scenes.case import Case
 EXAMPLES = int(os.environ.get("EXAMPLES", "1200")) // 20
 
 
-def belt_at(alpha: float) -> ns.StickSlip:
-    return ns.StickSlip(
-        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
-    )
-
-
 ORDERS = {"hb": st.integers(1, 80), "hb-c1": st.integers(1, 80), "c1": st.integers(1, 30)}
 
 #: Errors below which rounding decides, not the method.
@@ -53,7 +48,7 @@ def test_the_estimate_is_at_least_half_and_at_most_20_times_the_error(method: st
     @given(st.floats(-3, 3), ORDERS[method])
     def run(exponent: float, order: int) -> None:
         try:
-            orbit = ns.solve(belt_at(10**exponent), method, order)
+            orbit = ns.solve(belt_of(10**exponent), method, order)
         except ns.NoOrbit:
             return
         seen.append(order)
@@ -193,7 +188,7 @@ def test_at_random_distances_from_a_fold_the_estimate_holds(count: int) -> None:
 def test_a_short_stick_is_as_accurate_as_it_is_said_to_be(alpha: float) -> None:
     """Slip ends at the velocity at which it begins, with little acceleration."""
     for method in ("ck-tau", "hb"):
-        orbit = ns.solve(belt_at(alpha), method, 20)
+        orbit = ns.solve(belt_of(alpha), method, 20)
         assert orbit.errors.times <= orbit.estimate.times <= 10 * orbit.errors.times + 5e-15
 
 

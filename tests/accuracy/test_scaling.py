@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from computed import belt_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -82,9 +83,6 @@ def test_fourier_orbits_are_odd_about_the_middle_of_stick(method: str, order: in
 @settings(max_examples=30)
 @given(st.floats(-3, 3).map(lambda exponent: 10.0**exponent))
 def test_c1_of_order_20_is_exact_to_rounding_over_six_decades(alpha: float) -> None:
-    belt = ns.StickSlip(
-        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
-    )
-    orbit = ns.solve(belt, "c1", 20)
+    orbit = ns.solve(belt_of(alpha), "c1", 20)
     assert abs(orbit.errors.period) < 1e-13
     assert orbit.outcome.iterations <= 4  # from a coarse orbit

@@ -6,6 +6,7 @@ import os
 import mpmath as mp
 import numpy as np
 import pytest
+from computed import belt_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -16,12 +17,6 @@ from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.trade.choice import MARGIN
 
 EXAMPLES = int(os.environ.get("EXAMPLES", "800"))
-
-
-def belt_at(alpha: float) -> ns.StickSlip:
-    return ns.StickSlip(
-        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
-    )
 
 
 def true_errors(orbit: ns.Orbit) -> float:
@@ -37,7 +32,7 @@ def true_errors(orbit: ns.Orbit) -> float:
 @settings(max_examples=EXAMPLES // 40)
 @given(st.floats(-3, 3), st.floats(-13, -2))
 def test_the_times_are_within_the_tolerance(exponent: float, digits: float) -> None:
-    orbit = ns.solve(belt_at(10**exponent), tol=10**digits)
+    orbit = ns.solve(belt_of(10**exponent), tol=10**digits)
     assert true_errors(orbit) <= 10**digits
 
 
@@ -52,7 +47,7 @@ def test_the_times_are_within_the_tolerance(exponent: float, digits: float) -> N
 )
 def test_a_method_is_kept_to(asked: tuple[str, float], exponent: float) -> None:
     method, digits = asked
-    orbit = ns.solve(belt_at(10**exponent), method, tol=10**digits)
+    orbit = ns.solve(belt_of(10**exponent), method, tol=10**digits)
     assert orbit.method == method.replace("c1", "ck" if method == "c1" else "c1")
     assert true_errors(orbit) <= 10**digits
 
@@ -80,7 +75,7 @@ def test_what_float64_cannot_is_said(run, method: str | None, tol: float) -> Non
 @pytest.mark.parametrize(("method", "tol"), [("c1", 1e-2), ("c1", 1e-8)])
 def test_orders_go_on_to_those_that_resolve_a_short_phase(method: str, tol: float) -> None:
     """At N = 13 there is no orbit yet; from the times of the exact one there is at N = 17."""
-    orbit = ns.solve(belt_at(1e-5), method, tol=tol)
+    orbit = ns.solve(belt_of(1e-5), method, tol=tol)
     assert 17 <= orbit.order <= 20
     assert true_errors(orbit) <= tol
 
@@ -102,7 +97,7 @@ def test_orders_behind_one_without_an_orbit_start_once(monkeypatch, method, tol,
 
     monkeypatch.setattr("nonsmooth.solver.search.attempt", counted)
     with pytest.raises((NoOrbit, ns.NotCertified), match=said):
-        ns.solve(belt_at(1000), method, tol=tol)
+        ns.solve(belt_of(1000), method, tol=tol)
     beyond = [order for order in orders if order > 44]  # the first where hb-c1 has none
     assert len(set(beyond)) == len(beyond) > 3
 

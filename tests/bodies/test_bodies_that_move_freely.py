@@ -7,6 +7,7 @@ exponentials in physical coordinates; a pair of gears moves as one mass of the r
 import numpy as np
 import pytest
 import sympy as sp
+from exponentials import generator
 from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 
@@ -80,12 +81,8 @@ def off(orbit, sides, half: bool = False) -> float:
     times of the orbit.
     """
     n, w = 2, np.array([-1.0, 1.0])
-    A = np.zeros((2 * n + 3, 2 * n + 3))
-    A[:n, n : 2 * n] = np.eye(n)
-    A[n : 2 * n, :n] = -SPRING / MASSES[:, None]
-    A[n : 2 * n, n : 2 * n] = -DAMPER / MASSES[:, None]
-    A[n, -3] = orbit.case.values["force"] / MASSES[0]
-    A[-3, -2], A[-2, -3] = -VALUES["frequency"], VALUES["frequency"]
+    force = [orbit.case.values["force"], 0.0]
+    A = generator(np.diag(MASSES), SPRING, DAMPER, force, VALUES["frequency"])
     jump = np.eye(len(A))
     given = (1 + VALUES["restitution"]) / (w @ (w / MASSES)) * w / MASSES
     jump[n : 2 * n, n : 2 * n] -= np.outer(given, w)

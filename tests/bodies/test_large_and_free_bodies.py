@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from bodies.reference_bodies import cantilever
+from exponentials import generator, repeating
 from made_scenes import parameters, scene_of
 from scipy import sparse
 from scipy.linalg import expm
@@ -39,18 +40,11 @@ def case(M, K, frequency: float, pushed: int = 0, **body):
 def off_the_stop(orbit, M, C, K, frequency: float) -> float:
     """Return how far the tip is from the stop at the switches, by matrix exponentials."""
     n, w, flows = len(M), np.eye(len(M))[-1], []
-    for phase, pressed in zip(orbit.phases, (1.0, 0.0), strict=True):
-        A = np.zeros((2 * n + 3, 2 * n + 3))
-        A[:n, n : 2 * n] = np.eye(n)
-        stiff = K + pressed * SPRING * np.outer(w, w)
-        right = np.column_stack([-stiff, -C, np.eye(n)[0], 0 * w, pressed * SPRING * GAP * w])
-        A[n : 2 * n] = np.linalg.solve(M, right)
-        A[-3, -2], A[-2, -3] = -frequency, frequency
+    for phase, spring in zip(orbit.phases, (SPRING, 0.0), strict=True):
+        stiff = K + spring * np.outer(w, w)
+        A = generator(M, stiff, C, np.eye(n)[0], frequency, spring * GAP * w)
         flows.append(expm(A * phase.duration))
-    period, own = flows[1] @ flows[0], slice(0, 2 * n)
-    waves = np.array([np.cos(orbit.forcing_phase), np.sin(orbit.forcing_phase), 1.0])
-    state = np.linalg.solve(np.eye(2 * n) - period[own, own], period[own, 2 * n :] @ waves)
-    X = np.concatenate([state, waves])
+    X = repeating(flows[1] @ flows[0], orbit.forcing_phase)
     return max(abs(X[n - 1] - GAP), abs((flows[0] @ X)[n - 1] - GAP)) / GAP
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from every_run import tried
+from exponentials import generator, repeating
 from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 
@@ -54,18 +55,14 @@ def scene(request):
     return chain(request.param)
 
 
-def generator(values, stop: float) -> np.ndarray:
-    """Return A of ``X' = A X`` for q, q', cos, sin, 1."""
-    n = COUNT
-    A = np.zeros((2 * n + 3, 2 * n + 3))
-    A[:n, n : 2 * n] = np.eye(n)
-    A[n : 2 * n, :n] = -values["stiffness"] * LINKS / values["mass"]
-    A[n : 2 * n, n : 2 * n] = -values["damping"] * LINKS / values["mass"]
-    A[n, -3] = values["force"] / values["mass"]
-    A[2 * n - 1, n - 1] -= stop / values["mass"]
-    A[2 * n - 1, -1] = stop * values["gap"] / values["mass"]
-    A[-3, -2], A[-2, -3] = -values["frequency"], values["frequency"]
-    return A
+def moved(values, stop: float) -> np.ndarray:
+    """Return the generator of a chain, on its stop where that has a stiffness."""
+    first, last = np.eye(COUNT)[[0, -1]]
+    K = values["stiffness"] * LINKS + stop * np.outer(last, last)
+    return generator(
+        values["mass"] * np.eye(COUNT), K, values["damping"] * LINKS, values["force"] * first,
+        values["frequency"], stop * values["gap"] * last,
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("seed", tried(SEEDS, every_run=("seed 0", "seed 1")))
@@ -91,19 +88,15 @@ def test_an_orbit_closes_and_keeps_its_demands(scene, seed) -> None:
 def off(orbit, values, rigid: bool) -> float:
     """Return how far an orbit is from its switches and beyond its demands, in gaps."""
     n, gap = COUNT, values["gap"]
-    turn = orbit.forcing_phase
     jump = np.eye(2 * n + 3)
     if rigid:
         jump[2 * n - 1, 2 * n - 1] = -values["restitution"]
     stops = [values["stop"] if phase.name == "touch" else 0.0 for phase in orbit.phases]
-    flows = [generator(values, stop) for stop in stops]
+    flows = [moved(values, stop) for stop in stops]
     period = np.eye(2 * n + 3)
     for A, phase in zip(flows, orbit.phases, strict=True):
         period = jump @ expm(A * phase.duration) @ period
-    waves = np.array([np.cos(turn), np.sin(turn), 1.0])
-    own = slice(0, 2 * n)
-    start = np.linalg.solve(np.eye(2 * n) - period[own, own], period[own, 2 * n :] @ waves)
-    X, worst = np.concatenate([start, waves]), 0.0
+    X, worst = repeating(period, orbit.forcing_phase), 0.0
     for A, phase, stop in zip(flows, orbit.phases, stops, strict=True):
         step = expm(A * phase.duration / POINTS)
         side = -1.0 if stop else 1.0

@@ -1,10 +1,12 @@
 """Orbits of bodies against ball arithmetic: exact ones, those of the force series, ghosts."""
 
 import math
+from functools import partial
 
 import numpy as np
 import pytest
 from bodies.reference_bodies import Reference, body, case, of, references
+from galerkin.solving import differences, jacobian, residual
 
 from nonsmooth.solver.bodies import motion
 from nonsmooth.solver.bodies.force_series import layout
@@ -98,21 +100,11 @@ KINDS = (
 def test_jacobian_against_differences(name: str, order: int) -> None:
     r = of(name)
     cell, times = case(name).cell, start(r, 1e-2)
-
-    def residual(z: np.ndarray) -> np.ndarray:
-        found = np.empty(len(z))
-        kernel.residual(given, z, found)
-        return found
-
     kernel = registry.kernel(case(name).scene, "ck-tau") if order else exact_kernel(cell)
-    given, step = kernel.given(case(name), order), 1e-6
-    columns = [
-        (residual(times + step * q) - residual(times - step * q)) / (2 * step)
-        for q in np.eye(len(times))
-    ]
-    found = np.empty((len(times), len(times)))
-    kernel.jacobian(given, times, found)
-    assert found == pytest.approx(np.array(columns).T, abs=1e-7 * np.abs(found).max())
+    given = kernel.given(case(name), order)
+    rows = differences(partial(residual, kernel, given), times, 1e-6)
+    found = jacobian(kernel, given, times)
+    assert found == pytest.approx(np.array(rows).T, abs=1e-7 * np.abs(found).max())
 
 
 @pytest.mark.parametrize("name", KINDS)

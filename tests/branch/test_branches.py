@@ -4,12 +4,14 @@ import csv
 import json
 import math
 import signal
+from functools import partial
 from itertools import islice
 from pathlib import Path
 
 import numpy as np
 import one_mass
 import pytest
+from galerkin.solving import differences
 from scipy.optimize import brentq
 
 import nonsmooth as ns
@@ -59,23 +61,23 @@ def test_series_are_the_equations_along_the_parameter(motion) -> None:
             np.testing.assert_allclose(one, other, rtol=2e-15, atol=1e-15)
 
 
+def rows_at(equations, y: np.ndarray) -> np.ndarray:
+    """Return the residual at unknowns and the parameter."""
+    R = np.empty(len(y) - 1)
+    residual_along(equations, y[:-1], y[-1], R)
+    return R
+
+
 @pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: motion.label)
 def test_the_derivatives_are_those_of_the_equations(motion) -> None:
     there, place = started(motion)
     divided = there.along._replace(divided=np.ones_like(there.along.divided))
     for equations in (there.along, divided):  # rows divided by durations too
         n = len(place.y) - 1
-        J, step = np.empty((n, n + 1)), 1e-6
+        J = np.empty((n, n + 1))
         jacobian_along(equations, place.y[:-1], place.y[-1], J)
-        for column in range(n + 1):
-            ends = []
-            for side in (step, -step):
-                y, R = place.y.copy(), np.empty(n)
-                y[column] += side
-                residual_along(equations, y[:-1], y[-1], R)
-                ends.append(R)
-            difference = (ends[0] - ends[1]) / (2 * step)
-            np.testing.assert_allclose(J[:, column], difference, rtol=1e-6, atol=1e-7)
+        expected = differences(partial(rows_at, equations), place.y, 1e-6)
+        np.testing.assert_allclose(J.T, expected, rtol=1e-6, atol=1e-7)
 
 
 @pytest.mark.parametrize("motion", MOTIONS[::4], ids=lambda motion: motion.label)
@@ -85,16 +87,11 @@ def test_divided_equations_and_derivatives_have_a_limit(motion) -> None:
     along = there.along._replace(divided=np.ones_like(there.along.divided))
     n = len(place.y) - 1
     for s in (0.0, 1e-17, -1e-12):
-        z, J, R = place.y[:-1].copy(), np.empty((n, n + 1)), np.empty((2, n))
-        z[along.before] = s
-        jacobian_along(along, z, 0.3, J)
-        for j in range(n):
-            for side in (0, 1):
-                other = z.copy()
-                other[j] += (1 - 2 * side) * 1e-5
-                residual_along(along, other, 0.3, R[side])
-            found = (R[0] - R[1]) / 2e-5
-            np.testing.assert_allclose(J[:, j], found, rtol=1e-5, atol=1e-5)
+        y, J = np.array([*place.y[:-1], 0.3]), np.empty((n, n + 1))
+        y[along.before] = s
+        jacobian_along(along, y[:-1], y[-1], J)
+        expected = differences(partial(rows_at, along), y, 1e-5)[:-1]
+        np.testing.assert_allclose(J.T[:-1], expected, rtol=1e-5, atol=1e-5)
 
 
 def test_the_determinant_of_singular_equations_is_zero() -> None:

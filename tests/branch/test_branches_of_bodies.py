@@ -8,6 +8,8 @@ import pytest
 import sympy as sp
 from bodies import test_random_chains as chains
 from bodies.reference_bodies import case, chain, of
+from exponentials import generator
+from galerkin.solving import differences
 from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 from scipy.optimize import brentq
@@ -72,15 +74,8 @@ class Impacts:
 
     def flow(self, omega: float) -> np.ndarray:
         """Return the map over a period of (q, q', cos, sin)."""
-        n = len(self.M)
-        inverse = np.linalg.inv(self.M)
-        A = np.zeros((2 * n + 2, 2 * n + 2))
-        A[:n, n : 2 * n] = np.eye(n)
-        A[n : 2 * n, :n], A[n : 2 * n, n : 2 * n] = -inverse @ self.K, -inverse @ self.C
-        A[n : 2 * n, 2 * n] = inverse @ self.f
-        A[2 * n, 2 * n + 1], A[2 * n + 1, 2 * n] = -omega, omega
-        self.A = A
-        return expm(A * 2 * np.pi / omega)
+        self.A = generator(self.M, self.K, self.C, self.f, omega)[:-1, :-1]
+        return expm(self.A * 2 * np.pi / omega)
 
     def jump(self) -> np.ndarray:
         n = len(self.M)
@@ -324,19 +319,15 @@ def test_equations_have_the_exact_orbit_as_solution_and_right_derivatives(name: 
         R, J = filled(z, divided)
         if not divided.any():
             assert np.abs(R).max() < 1e-12
-        for j in range(n):
-            step = 1e-6 * np.eye(n)[j]
-            above, below = filled(z + step, divided)[0], filled(z - step, divided)[0]
-            assert J[:, j] == pytest.approx((above - below) / 2e-6, abs=1e-7)
+        rows = differences(lambda q, divided=divided: filled(q, divided)[0], z, 1e-6)
+        np.testing.assert_allclose(J.T, rows, rtol=0, atol=1e-7)
     first = len(z) - len(times)
     for often, s in ((1, 0.0), (1, 1e-17), (2, 0.0), (2, -1e-9), (2, float(z[first]))):
         divided, there = often * np.eye(len(cell.phases))[0], z.copy()
         there[first] = s
         _, J = filled(there, divided)
-        for j in range(n):
-            step = 1e-5 * np.eye(n)[j]
-            above, below = filled(there + step, divided)[0], filled(there - step, divided)[0]
-            assert J[:, j] == pytest.approx((above - below) / 2e-5, rel=1e-5, abs=1e-5)
+        rows = differences(lambda q, divided=divided: filled(q, divided)[0], there, 1e-5)
+        np.testing.assert_allclose(J.T, rows, rtol=1e-5, atol=1e-5)
 
 
 def test_a_map_over_the_frequency_has_the_orbits_of_the_solver(monkeypatch) -> None:

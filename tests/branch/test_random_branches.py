@@ -2,14 +2,12 @@
 
 import numpy as np
 import pytest
+from branch.test_events import exactly
 from one_mass import NAMES
 
 import nonsmooth as ns
-from nonsmooth.solver.exact import exact_orbit
-from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.scenes.case import Case
 
 #: Scenes of bodies, and how many modes these have.
 BODIES = sorted(set(registry.names()) - set(NAMES))
@@ -37,15 +35,6 @@ def drawn(random, names):
         low, high = 0.95 * values[vary.name], 1.05 * values[vary.name]
     high = high if vary.most is None else min(high, vary.most)
     return scene(**values), vary.name, low, high
-
-
-def found_again(case, branch, row):
-    """Return the exact orbit to which the times of a row lead."""
-    here = case.with_value(branch.parameter, row.value)
-    scene = motion_of(here.scene, row.motion) if row.motion else here.scene
-    here = Case(scene, here.values, here.cycles)
-    times = row.durations[: len(here.cell.phases)]
-    return exact_orbit(here, times, row.forcing_phase or 0.0)
 
 
 def seeds(names, most: int, count: int):
@@ -76,7 +65,7 @@ def test_every_orbit_of_a_random_branch_is_one(names, most: int, seed: int) -> N
         ]
         rows = [q for q in rows if not (q.motion or "").startswith("only ")]
         for i in random.permutation(len(rows))[:ORBITS]:
-            exact = found_again(case, branch, rows[i])
+            exact = exactly(branch, rows[i])
             if exact.stable is None:  # what rounding may change is judged by other states
                 largest = np.abs(rows[i].multipliers).max()
                 assert np.abs(exact.multipliers).max() == pytest.approx(largest, rel=1e-8)

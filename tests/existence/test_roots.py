@@ -5,6 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy as sp
+from computed import belt_of
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -14,13 +15,6 @@ from nonsmooth.all_solutions import solutions
 from nonsmooth.solver.existence import real_roots
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.solution import attempt
-
-
-def belt_of(alpha: float) -> ns.StickSlip:
-    """Return an oscillator of this alpha whose units are those of the polynomials."""
-    return ns.StickSlip(
-        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
-    )
 
 
 def orbits(order: int, alpha: float) -> list[tuple[float, float]]:

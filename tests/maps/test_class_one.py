@@ -1,10 +1,12 @@
 """Functions of class C^1 for smoother scenes: the same kernel, other rows (`ck-tau`)."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 from galerkin.derived import loaded, module
 from galerkin.oscillators import SCENES, case_of
-from galerkin.solving import jacobian, residual, solve, times_of
+from galerkin.solving import differences, jacobian, residual, solve, times_of
 
 from nonsmooth.solver.kernels.registry import class_one
 
@@ -68,12 +70,8 @@ def test_times_are_those_of_another_program(name, order):
 def test_the_jacobian_is_the_derivative_of_the_residual(name):
     kernel, case = once(name), case_of(name)
     z = np.random.default_rng(7).uniform(0.5, 1.5, kernel.size(5))
-    step = 1e-4
-    for j, column in enumerate(jacobian(kernel, case, z).T):
-        e = step * np.eye(len(z))[j]
-        near = residual(kernel, case, z + e) - residual(kernel, case, z - e)
-        far = residual(kernel, case, z + 2 * e) - residual(kernel, case, z - 2 * e)
-        slope = (8 * near - far) / (12 * step)
+    slopes = differences(partial(residual, kernel, case), z, 1e-3)
+    for column, slope in zip(jacobian(kernel, case, z).T, slopes, strict=True):
         np.testing.assert_allclose(column, slope, rtol=0, atol=1e-9 * np.abs(column).max())
 
 

@@ -3,11 +3,13 @@
 import contextlib
 import math
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 import sympy as sp
+from galerkin.solving import differences, jacobian, residual
 from made_scenes import Given, made, parameters, scene_of
 from numpy.polynomial import Polynomial
 
@@ -97,14 +99,8 @@ def test_the_jacobian_of_the_exact_equations_with_a_memory():
     for one in (cell, type(cell)(**{**vars(cell), "memory": (general,)})):
         kernel = exact_kernel(one)
         z = np.array([2.4, 0.1, 1.4, -1.5, 2.2, 1.1, 2.7, 2.3])
-        J, size = np.empty((8, 8)), 1e-6
-        kernel.jacobian(one, z, J)
-        for i in range(8):
-            above, below = np.empty(8), np.empty(8)
-            kernel.residual(one, z + size * np.eye(8)[i], above)
-            kernel.residual(one, z - size * np.eye(8)[i], below)
-            expected = (above - below) / (2 * size)
-            np.testing.assert_allclose(J[:, i], expected, rtol=0, atol=1e-8)
+        expected = differences(partial(residual, kernel, one), z, 1e-6)
+        np.testing.assert_allclose(jacobian(kernel, one, z).T, expected, rtol=0, atol=1e-8)
 
 
 #: Solutions by an expansion that are no orbits: a higher order, or the exact equations, say so.

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from exponentials import generator, repeating
 from scenes.test_motions_of_different_phases import (
     CHAIN,
     MOVES,
@@ -82,16 +83,11 @@ def test_two_contacts_meet_their_stops_at_the_times_of_the_orbit() -> None:
         pressed = np.array(
             [phase.name[:3] in where for where in (("low", "bot"), ("top", "bot"))]
         )
-        A = np.zeros((7, 7))  # of q, q', cos, sin, 1
-        A[:2, 2:4], A[2:4, :2] = np.eye(2), -K - 5 * np.diag(pressed)
-        A[2:4, 2:4], A[3, 4] = -0.05 * K, 0.3
-        A[2:4, 6] = 5 * pressed * [0.4, 0.6]
-        A[4, 5], A[5, 4] = -0.7, 0.7
+        stiff, back = K + 5 * np.diag(pressed), 5 * pressed * [0.4, 0.6]
+        A = generator(np.eye(2), stiff, 0.05 * K, [0.0, 0.3], 0.7, back)
         steps.append(expm(A * phase.duration))
         period = steps[-1] @ period
-    waves = np.array([np.cos(orbit.forcing_phase), np.sin(orbit.forcing_phase), 1.0])
-    state = np.linalg.solve(np.eye(4) - period[:4, :4], period[:4, 4:] @ waves)
-    X, places = np.concatenate([state, waves]), []
+    X, places = repeating(period, orbit.forcing_phase), []
     for step in steps:
         X = step @ X
         places.append(X[:2] - [0.4, 0.6])

@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy as sp
+from exponentials import generator, repeating
 from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 
@@ -203,15 +204,13 @@ def off(orbit) -> float:
 
     The chain is moved on by matrix exponentials, from the periodic state that its times leave.
     """
-    values, n, own = orbit.case.values, COUNT, slice(0, 2 * COUNT)
+    values = orbit.case.values
     gaps = np.array([values[f"gap{i}"] for i in range(3)])
-    flows = [generator(values, met, gaps) for met in MET]
-    period = np.eye(2 * n + 3)
+    flows = [moved(values, met, gaps) for met in MET]
+    period = np.eye(2 * COUNT + 3)
     for A, phase in zip(flows, orbit.phases, strict=True):
         period = expm(A * phase.duration) @ period
-    waves = np.array([np.cos(orbit.forcing_phase), np.sin(orbit.forcing_phase), 1.0])
-    start = np.linalg.solve(np.eye(2 * n) - period[own, own], period[own, 2 * n :] @ waves)
-    X, worst = np.concatenate([start, waves]), 0.0
+    X, worst = repeating(period, orbit.forcing_phase), 0.0
     for A, phase, met, then in zip(flows, orbit.phases, MET, (*MET[1:], MET[0]), strict=True):
         step = expm(A * phase.duration / POINTS)
         side = np.array([-1.0 if i in met else 1.0 for i in range(3)])
@@ -223,16 +222,10 @@ def off(orbit) -> float:
     return float(worst)
 
 
-def generator(values, met, gaps) -> np.ndarray:
-    """Return A of ``X' = A X`` for q, q', cos, sin, 1."""
-    n, where = COUNT, [STOPS[i] for i in met]
-    A = np.zeros((2 * n + 3, 2 * n + 3))
-    A[:n, n : 2 * n] = np.eye(n)
-    A[n : 2 * n, :n] = -LINKS
-    A[n : 2 * n, n : 2 * n] = -values["damping"] * LINKS
-    A[n : 2 * n, -3] = PUSHED
-    for i, place in zip(met, where, strict=True):
-        A[n + place, place] -= values["stop"]
-        A[n + place, -1] += values["stop"] * gaps[i]
-    A[-3, -2], A[-2, -3] = -values["frequency"], values["frequency"]
-    return A
+def moved(values, met, gaps) -> np.ndarray:
+    """Return the generator of the chain on these of its stops."""
+    pressed, back = np.zeros(COUNT), np.zeros(COUNT)
+    for i in met:
+        pressed[STOPS[i]], back[STOPS[i]] = values["stop"], values["stop"] * gaps[i]
+    K, C = LINKS + np.diag(pressed), values["damping"] * LINKS
+    return generator(np.eye(COUNT), K, C, PUSHED, values["frequency"], back)

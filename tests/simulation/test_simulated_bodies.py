@@ -9,6 +9,7 @@ import sympy as sp
 from bodies import test_random_chains as chains
 from bodies.reference_bodies import body, case, of
 from every_run import tried
+from exponentials import generator
 from made_scenes import in_a_row, parameters, scene_of
 from refusals import refused
 from scipy.integrate import solve_ivp
@@ -131,7 +132,7 @@ def test_random_chains_keep_their_demands(scene, seed: int) -> None:
     for i, phase in enumerate(q for q in motion.phases if q.duration > 1e-6):
         pressed = phase.name == "touch"
         assert phase.displacement == pytest.approx(X[n - 1], abs=1e-9)
-        A = chains.generator(values, values["stop"] if pressed else 0.0)
+        A = chains.moved(values, values["stop"] if pressed else 0.0)
         step = expm(A * phase.duration / chains.POINTS)
         for _ in range(chains.POINTS):
             assert (1.0 if pressed else -1.0) * (X[n - 1] - gap) >= -1e-9, i
@@ -238,14 +239,12 @@ def test_a_row_rests_on_a_stop_until_it_is_pulled_off() -> None:
     pressed = ns.simulate(own(gap=-5.0), cycles=8)  # by 5/3 N, and pulled by 1 N
     assert [(q.name, q.displacement) for q in pressed.phases] == [("rest", pytest.approx(-5))]
     motion = ns.simulate(own(), cycles=8)
-    free = np.zeros((2 * n + 2, 2 * n + 2))
-    free[:n, n : 2 * n], free[n : 2 * n, :n], free[n : 2 * n, n : 2 * n] = np.eye(n), -K, -C
-    free[n : 2 * n, -2], free[-2, -1], free[-1, -2] = pulled, -0.3, 0.3
+    free = generator(np.eye(n), K, C, pulled, 0.3)
     held = free.copy()
     held[2 * n - 1] = 0.0
     force = -free[2 * n - 1]  # what keeps the end where it is
-    X = np.zeros(2 * n + 2)
-    X[-2] = 1.0
+    X = np.zeros(2 * n + 3)
+    X[-3] = 1.0
     assert motion.ended == ""
     assert [q.name for q in motion.phases[:3]] == ["flight", "rest", "flight"]
     for phase in motion.phases:
