@@ -16,7 +16,6 @@ from nonsmooth.solver.bodies.laws import places
 from nonsmooth.solver.bodies.poles import Poles
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.solution import attempt
-from nonsmooth.solver.rows.breaking import break_series
 
 #: Errors of times at the orders of `ORDERS`, by method and K: those that were measured, with a
 #: margin of a half; the first of the harmonics alone fall as N^-3, beside functions faster.
@@ -130,16 +129,6 @@ def _pair(h: mp.mpf, sign: int) -> tuple[mp.mpf, mp.mpf]:
     """Return the turns of a harmonic and of that below 0."""
     turn = 2 * mp.pi * h if sign > 0 else mp.pi * (2 * h + 1)
     return turn, -turn
-
-
-def test_a_function_jumps_in_one_derivative() -> None:
-    for sign in (1, -1):
-        for n, series in enumerate(break_series(4, 0.0, 1.0, sign)[1:], start=1):
-            polynomial = np.polynomial.legendre.Legendre(series, domain=[0, 1])
-            for order in range(n + 1):
-                values = polynomial.deriv(order)(np.array([0.0, 1.0]))
-                jump = values[0] - sign * values[1]
-                assert jump == pytest.approx(float(order == n - 1), abs=1e-12)
 
 
 @pytest.mark.parametrize("name", ["clearance-2", "absorber-stick", "belt-2"])

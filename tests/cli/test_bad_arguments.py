@@ -30,7 +30,11 @@ REFUSED = [
         ({"budget": budget}, "budget: got")
         for budget in (True, 0, -1.0, float("nan"), float("inf"), "1", "1ms")
     ),
-    *(({"tol": tol}, f"tol: got {tol}") for tol in (0.0, True)),
+    *(
+        ({"tol": tol}, f"tol: got {tol}")
+        for tol in (0.0, True, float("nan"), float("inf"), -0.1)
+    ),
+    *(({"tol": tol}, "tol: got") for tol in (np.True_, "1e-3")),
     ({"tol": 0.1, "order": 3}, "order: got 3 beside"),
     ({"budget": 1.0, "order": 3}, "order: got 3 beside a budget"),
     ({"budget": 1.0, "tol": 1e-3}, "beside a tolerance"),

@@ -175,16 +175,6 @@ def test_compiled_equations_have_the_same_bits() -> None:
         assert found[0].tobytes() == found[1].tobytes()
 
 
-def test_no_orbit_is_said_with_the_reasons() -> None:
-    with pytest.raises(NoOrbit) as caught:
-        exact_orbit(IMPACT(gap=50))  # farther than the free motion goes
-    assert caught.value.proven
-    instead, simulated = caught.value.tried
-    assert instead.startswith("the mass can move in flight for ever, without switches, |x| up")
-    assert simulated == "a simulation comes to a motion without switches"
-    assert caught.value.iterations == 0  # nothing was searched for in vain
-
-
 def test_where_none_is_shown_to_be_there_the_reasons_of_each_start_are_said(
     monkeypatch,
 ) -> None:

@@ -9,7 +9,7 @@ import sympy as sp
 from every_run import tried
 from galerkin.derived import in_numbers
 from galerkin.oscillators import SCENES, parameters_of
-from small_scene import PARAMETERS, F, Omega, belt, g, k, m, r, refused, scene
+from small_scene import PARAMETERS, F, Omega, belt, g, k, m, r, scene
 
 from nonsmooth.codegen.emission.scene_numbers import scene_source
 from nonsmooth.codegen.scene import a, forcing, linear_phase, v, x
@@ -207,7 +207,3 @@ def test_a_linear_phase_is_read_whatever_its_spelling():
     assert all(
         sp.simplify(one - two) == 0 for one, two in zip(q.coefficients, expected, strict=True)
     )
-
-
-def test_a_scene_of_held_phases_has_no_mass():
-    refused(lambda: belt(rest={"equation": m * a + k * x}), "phase rest: held")

@@ -28,15 +28,6 @@ def test_a_parameter_out_of_its_bounds_is_one_line(name, q):
         assert scene(**{q.name: 0}).values[q.name] == 0
 
 
-@pytest.mark.parametrize("name", registry.names())
-def test_a_parameter_of_another_scene_is_one_line(name):
-    scene = registry.load(name)
-    theirs = {q.name for _, q in PARAMETERS} - {q.name for q in scene.parameters}
-    for other in theirs:
-        with pytest.raises(ParameterError, match=f"{other}: not a parameter of {name}; "):
-            scene(**{other: 1.0})
-
-
 @pytest.mark.parametrize(
     ("name", "cycles", "words"),
     [
