@@ -6,6 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy as sp
+from made_scenes import parameters
 
 import nonsmooth as ns
 from nonsmooth.cli.problems import Problem, as_problems
@@ -24,6 +25,9 @@ GOOD = {
 }
 
 
+OWN = parameters(spring=(k, "N/m", 10.0), gap=(g, "m", 0.5), frequency=(Omega, "rad/s", 0.9))
+
+
 def scene(*more: Parameter, **body: object) -> Scene:
     made = Body(**(GOOD | body))  # type: ignore[arg-type]
     tip = next(iter(made.at.values()))
@@ -32,12 +36,7 @@ def scene(*more: Parameter, **body: object) -> Scene:
     off = Phase("off", tip.force, ends=Event(tip.x - g), demands={"it is off": g - tip.x})
     return Scene(
         "bad-body", "a body", body=made, frequency=Omega, phases=(touching, off),
-        parameters=(
-            Parameter("spring", k, "N/m", 10.0, "spring"),
-            Parameter("gap", g, "m", 0.5, "gap"),
-            Parameter("frequency", Omega, "rad/s", 0.9, "frequency"),
-            *more,
-        ),
+        parameters=(*OWN, *more),
     )  # fmt: skip
 
 

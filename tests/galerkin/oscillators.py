@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import sympy as sp
+from made_scenes import parameters
 
-from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.codegen.scene import Event, Phase, Scene, a, forcing, v, x
 from nonsmooth.codegen.scenes import (
     backlash,
     clearance,
@@ -21,30 +22,14 @@ from nonsmooth.codegen.scenes import (
 m, k, F, Omega = sp.symbols("m k F Omega", positive=True)
 c = sp.Symbol("c", nonnegative=True)
 
-MASS = Parameter("mass", m, "kg", 1.0, "mass")
-STIFFNESS = Parameter("stiffness", k, "N/m", 1.0, "stiffness")
-
-
-def damping(value: float) -> Parameter:
-    return Parameter("damping", c, "N s/m", value, "viscous damping")
-
-
-def force(value: float) -> Parameter:
-    return Parameter("force", F, "N", value, "amplitude of the force")
-
-
-def frequency(value: float) -> Parameter:
-    return Parameter("frequency", Omega, "rad/s", value, "angular frequency")
-
-
 #: S3c: sliding and at rest the friction is the same, and so the motion is smoother.
 LIMIT = sp.Symbol("f_d", nonnegative=True)
 EQUAL_FRICTION = Scene(
     "equal-friction",
     "a driven mass with dry friction that stops twice a period",
-    (
-        *(MASS, damping(0.1), STIFFNESS, force(1.0), frequency(0.4)),
-        Parameter("friction", LIMIT, "N", 0.5, "force of friction"),
+    parameters(
+        mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.1), stiffness=(k, "N/m", 1.0),
+        force=(F, "N", 1.0), frequency=(Omega, "rad/s", 0.4), friction=(LIMIT, "N", 0.5),
     ),
     (
         Phase("down", m * a + c * v + k * x - LIMIT - F * forcing, Event(v)),
@@ -52,42 +37,37 @@ EQUAL_FRICTION = Scene(
     ),
     frequency=Omega,
     half_period=True,
-)
+)  # fmt: skip
 
 #: S1b: an impulse at prescribed times, which are those at which the cosine is zero.
 IMPULSE = sp.Symbol("I", positive=True)
 KICKED = Scene(
     "kicked",
     "a mass on a spring that is kicked once a period",
-    (
-        *(MASS, damping(0.1), STIFFNESS),
-        Parameter("impulse", IMPULSE, "N s", 1.0, "impulse of a kick"),
-        frequency(2 * np.pi / 4.5),
+    parameters(
+        mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.1), stiffness=(k, "N/m", 1.0),
+        impulse=(IMPULSE, "N s", 1.0), frequency=(Omega, "rad/s", 2 * np.pi / 4.5),
     ),
     (Phase("swing", m * a + c * v + k * x, Event(forcing, jump={v: v + IMPULSE / m})),),
     frequency=Omega,
     scales={"length": IMPULSE / m / Omega},
-)
+)  # fmt: skip
 
 #: S5c: the friction falls with the speed, and is continuous where the mass is at rest.
 M, K, V, mu, F_N, w = sp.symbols("M K V mu F_N w", positive=True)
 CONTINUOUS = Scene(
     "continuous-friction",
     "a mass on a belt, with friction that falls from its static value",
-    (
-        Parameter("mass", M, "kg", 1.0, "mass"),
-        Parameter("stiffness", K, "N/m", 1.0, "stiffness"),
-        Parameter("belt_speed", V, "m/s", 1.0, "speed of the belt"),
-        Parameter("mu", mu, "", 2.0, "coefficient of friction at rest"),
-        Parameter("normal_force", F_N, "N", 1.0, "normal force"),
-        Parameter("damping", c, "N s/m", 0.0, "viscous damping"),
-        Parameter("weakening", w, "s/m", 0.4, "fall of the coefficient with speed"),
+    parameters(
+        mass=(M, "kg", 1.0), stiffness=(K, "N/m", 1.0), belt_speed=(V, "m/s", 1.0),
+        mu=(mu, "", 2.0), normal_force=(F_N, "N", 1.0), damping=(c, "N s/m", 0.0),
+        weakening=(w, "s/m", 0.4),
     ),
     (
         Phase("stick", a, Event(mu * F_N - K * x - c * V), held=V),
         Phase("slip", M * a + c * v + K * x - (mu - w * (V - v)) * F_N, Event(v - V)),
     ),
-)
+)  # fmt: skip
 
 #: S0n: the paper's oscillator with all events imposed.
 WITHOUT_START = replace(stick_slip.SCENE, name="without-start", start={})

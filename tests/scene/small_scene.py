@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
+from made_scenes import parameters
 
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, SceneError, a, forcing, v, x
 
@@ -11,15 +12,11 @@ m, k, F, Omega, r, V, mu = sp.symbols("m k F Omega r V mu", positive=True)
 c = sp.Symbol("c", nonnegative=True)
 g = sp.Symbol("g", real=True)
 
-PARAMETERS = (
-    Parameter("mass", m, "kg", 1.0, "mass"),
-    Parameter("damping", c, "N s/m", 0.1, "damping"),
-    Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
-    Parameter("force", F, "N", 1.0, "force"),
-    Parameter("frequency", Omega, "rad/s", 1.8, "frequency"),
-    Parameter("gap", g, "m", 0.1, "gap"),
-    Parameter("restitution", r, "", 0.6, "restitution", most=1),
-)
+KNOWN = parameters(
+    mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.1), stiffness=(k, "N/m", 1.0),
+    force=(F, "N", 1.0), frequency=(Omega, "rad/s", 1.8), gap=(g, "m", 0.1),
+)  # fmt: skip
+PARAMETERS = (*KNOWN, Parameter("restitution", r, "", 0.6, "restitution", most=1))
 FLIGHT = Phase(
     "flight",
     m * a + c * v + k * x - F * forcing,
@@ -60,11 +57,8 @@ def stop(*, flight=None, rest=None, **changes):
     return scene(**({"phases": phases, "parameters": PARAMETERS[:-1]} | changes))
 
 
-BELT = (
-    Parameter("mass", m, "kg", 1.0, "mass"),
-    Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
-    Parameter("speed", V, "m/s", 1.0, "speed of the belt"),
-    Parameter("limit", F, "N", 1.0, "static limit"),
+BELT = parameters(
+    mass=(m, "kg", 1.0), stiffness=(k, "N/m", 1.0), speed=(V, "m/s", 1.0), limit=(F, "N", 1.0)
 )
 REST = Phase("rest", a, Event(F - k * x), held=V)
 RUN = Phase("run", m * a + k * x, Event(v - V))
