@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from bodies.reference_bodies import Reference, body, case, of
 from bodies.test_reference_bodies import error, start
-from galerkin.solving import differences
+from galerkin.solving import OF_TWO, differences
 
 from nonsmooth.solver.bodies import motion
 from nonsmooth.solver.bodies.force_series.layout import layout
@@ -77,7 +77,9 @@ KINDS = (
 @pytest.mark.parametrize("name", KINDS)
 def test_jacobian_against_differences(name: str, functions: int) -> None:
     cell, times = case(name).cell, start(of(name), 1e-2)
-    rows = differences(lambda z: system.evaluated(cell, 6, functions, z).residual, times, 1e-5)
+    rows = differences(
+        lambda z: system.evaluated(cell, 6, functions, z).residual, times, 1e-5, OF_TWO
+    )
     found = system.evaluated(cell, 6, functions, times).jacobian
     assert found == pytest.approx(np.array(rows).T, abs=1e-6 * np.abs(found).max())
 

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 import pytest
 from bodies.reference_bodies import Reference, body, case, of, references
-from galerkin.solving import differences, jacobian, residual
+from galerkin.solving import OF_TWO, differences, jacobian, residual
 
 from nonsmooth.solver.bodies import motion
 from nonsmooth.solver.bodies.force_series import layout
@@ -102,7 +102,7 @@ def test_jacobian_against_differences(name: str, order: int) -> None:
     cell, times = case(name).cell, start(r, 1e-2)
     kernel = registry.kernel(case(name).scene, "ck-tau") if order else exact_kernel(cell)
     given = kernel.given(case(name), order)
-    rows = differences(partial(residual, kernel, given), times, 1e-6)
+    rows = differences(partial(residual, kernel, given), times, 1e-6, OF_TWO)
     found = jacobian(kernel, given, times)
     assert found == pytest.approx(np.array(rows).T, abs=1e-7 * np.abs(found).max())
 

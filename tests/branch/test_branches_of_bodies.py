@@ -9,7 +9,7 @@ import sympy as sp
 from bodies import test_random_chains as chains
 from bodies.reference_bodies import case, chain, of
 from exponentials import generator
-from galerkin.solving import differences
+from galerkin.solving import OF_TWO, differences
 from made_scenes import in_a_row, parameters, scene_of
 from scipy.linalg import expm
 from scipy.optimize import brentq
@@ -315,18 +315,21 @@ def test_equations_have_the_exact_orbit_as_solution_and_right_derivatives(name: 
         equations.residual_and_jacobian(arrays, divided, z, R, J)
         return R, J
 
+    def residual(divided: np.ndarray, z: np.ndarray) -> np.ndarray:
+        return filled(z, divided)[0]
+
     for divided in np.eye(len(cell.phases) + 1, len(cell.phases)):  # each, and none
         R, J = filled(z, divided)
         if not divided.any():
             assert np.abs(R).max() < 1e-12
-        rows = differences(lambda q, divided=divided: filled(q, divided)[0], z, 1e-6)
+        rows = differences(partial(residual, divided), z, 1e-6, OF_TWO)
         np.testing.assert_allclose(J.T, rows, rtol=0, atol=1e-7)
     first = len(z) - len(times)
     for often, s in ((1, 0.0), (1, 1e-17), (2, 0.0), (2, -1e-9), (2, float(z[first]))):
         divided, there = often * np.eye(len(cell.phases))[0], z.copy()
         there[first] = s
         _, J = filled(there, divided)
-        rows = differences(lambda q, divided=divided: filled(q, divided)[0], there, 1e-5)
+        rows = differences(partial(residual, divided), there, 1e-5, OF_TWO)
         np.testing.assert_allclose(J.T, rows, rtol=1e-5, atol=1e-5)
 
 

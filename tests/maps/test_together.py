@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from galerkin.solving import jacobian, residual
 
 from nonsmooth.generated import ck
 from nonsmooth.solver.kernels import registry
@@ -63,8 +64,7 @@ def test_the_rows_of_the_phases_hold_and_the_rest_is_as_in_the_whole(scene, meth
     MAPS["together_residual"](place, y, R)
     z = np.empty(kernel.size(order))
     MAPS["unpack"](given, y, at, order, *work[:3], z)
-    whole = np.empty(len(z))
-    kernel.residual(given, z, whole)
+    whole = residual(kernel, given, z)
     joints, scale = joints_of(place, z), np.abs(z).max()
     np.testing.assert_allclose(R, whole[joints], atol=1e-13 * scale)
     assert np.abs(R).max() > 1e-3
@@ -83,8 +83,7 @@ def test_the_jacobian_is_what_elimination_leaves_of_the_whole_one(scene, method,
     MAPS["together_jacobian"](place, y, J)
     z = np.empty(kernel.size(order))
     MAPS["unpack"](given, y, at, order, *work[:3], z)
-    whole = np.empty((len(z), len(z)))
-    kernel.jacobian(given, z, whole)
+    whole = jacobian(kernel, given, z)
     joints = joints_of(place, z)
     kept = [int(np.flatnonzero(z == value)[0]) for value in y]
     inner, rows = np.setdiff1d(np.arange(len(z)), kept), np.setdiff1d(np.arange(len(z)), joints)
@@ -99,8 +98,7 @@ def test_what_is_returned_solves_the_whole_system(scene, method):
     case = registry.load(scene)()
     kernel = registry.kernel(case.scene, method)
     found = attempt(kernel, case, 40, kernel.times(solve_case(case, method, 20).unknowns))
-    R = np.empty(len(found.unknowns))
-    kernel.residual(kernel.given(case, 40), found.unknowns, R)
+    R = residual(kernel, kernel.given(case, 40), found.unknowns)
     assert found.converged
     assert np.abs(R).max() == found.residual_norm < 1e-13
 
@@ -161,8 +159,6 @@ def test_phases_of_many_periods_keep_their_digits():
     assert marks[0, MAPS["WIDE"]]  # exchanged
     z = np.empty(kernel.size(order))
     MAPS["unpack"](given, y, at, order, *work[:3], z)
-    J, R = np.empty((len(z), len(z))), np.empty(len(z))
-    kernel.jacobian(given, z, J)
-    kernel.residual(given, z, R)
+    R = residual(kernel, given, z)
     rows = MAPS["tests"](given[0], 0, order)
     assert np.abs(R[:rows]).max() <= 1e-13 * np.abs(z).max()

@@ -6,6 +6,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 from galerkin.derived import REFERENCES
+from galerkin.solving import jacobian
 
 pytest.importorskip("flint")
 
@@ -174,9 +175,8 @@ def test_balls_that_are_too_wide_for_the_digits_asked_for_are_not_taken() -> Non
     case = registry.load("impact")()
     kernel = registry.kernel(case.scene, "ck-tau")
     z = solve_case(case, "ck-tau", 6).unknowns
-    J = np.empty((len(z), len(z)))
     given = kernel.given(case, 6)
-    kernel.jacobian(given, z, J)
+    J = jacobian(kernel, given, z)
     with ctx.workdps(10):
         own = residual_in_balls(kernel.residual)
         found = refining._refined(kernel, own, given, z, np.linalg.inv(J), 22)
