@@ -61,15 +61,6 @@ def test_an_estimate_that_uses_up_the_tolerance_is_not_taken(order: int) -> None
     assert enough == order < close
 
 
-@pytest.mark.parametrize(("method", "tol"), [("hb", 1e-9), (None, 1e-16), ("c1", 1e-15)])
-def test_what_float64_cannot_is_said(run, method: str | None, tol: float) -> None:
-    with pytest.raises(ns.NotCertified):
-        ns.solve(DEFAULT, method, tol=tol)
-    chosen = () if method is None else ("--method", method)
-    status, out, err = run("solve", "--tol", tol, *chosen)
-    assert (status, out, "float64" in err or "would need N" in err) == (1, "", True)
-
-
 @pytest.mark.parametrize(("method", "tol"), [("c1", 1e-2), ("c1", 1e-8)])
 def test_orders_go_on_to_those_that_resolve_a_short_phase(method: str, tol: float) -> None:
     """At N = 13 there is no orbit yet; from the times of the exact one there is at N = 17."""

@@ -291,6 +291,9 @@ def test_what_is_refused_is_one_line(
     ("arguments", "words"),
     [
         (("impact", "--tol", 1e-15), "no estimate in float64 goes below 2e-15"),
+        (("--tol", 1e-16), "no estimate in float64 goes below"),
+        (("--tol", 1e-15, "--method", "c1"), "no estimate in float64 goes below"),
+        (("--tol", 1e-9, "--method", "hb"), "it would need N of about"),
         (("impact", "--tol", 1e-7, "--method", "hb"), "it would need N of about"),
         (("clearance", "--gap", 1.35605, "--tol", 1e-14), "do not fall any more"),  # grazes
     ],
