@@ -31,6 +31,7 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.scenes.case import Case, index_of
 from nonsmooth.solver.scenes.loaded import LoadedScene
+from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.stability.stability import stability
 
 #: Most of the range of a parameter in a step.
@@ -336,6 +337,7 @@ def test_equations_have_the_exact_orbit_as_solution_and_right_derivatives(name: 
 def test_a_map_over_the_frequency_has_the_orbits_of_the_solver(monkeypatch) -> None:
     """Units change with the frequency, and matrices of numbers with the units."""
     beam = ns.scene("beam-clearance")(modes=2)
+    monkeypatch.setattr(settle, "FEW", 5)
     monkeypatch.setattr(chart, "LINES", 2)
     monkeypatch.setattr(lines, "VALUES", 2)
     found = ns.chart(beam, {"frequency": (85.0, 100.0, 2), "contact_stiffness": (1e3, 2e3, 2)})
