@@ -120,9 +120,7 @@ def polynomial(order: int, alpha: float) -> Polynomial:
 
 
 @cache
-def _rational_function(
-    order: int,
-) -> tuple[list[Fraction], list[Fraction], list[Fraction]]:
+def _rational_function(order: int) -> tuple[list[Fraction], list[Fraction], list[Fraction]]:
     """Return ``D``, ``E``, ``W``: ``alpha = s E/D`` and ``t1 = s W/D``, constants first.
 
     Polynomials in ``s**2``, interpolated from exact values at ``order + 2`` places.

@@ -6,12 +6,7 @@ from typing import Any
 
 import click
 
-from ..named import (
-    STRUCTURES,
-    NamedCommand,
-    scene_named,
-    scene_names,
-)
+from ..named import STRUCTURES, NamedCommand, scene_named, scene_names
 
 #: Columns of a line.
 WIDTH = 80

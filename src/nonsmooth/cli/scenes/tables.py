@@ -20,14 +20,7 @@ from nonsmooth.solver.simulation.record import SimulatedPhase, Simulation
 from nonsmooth.solver.stability.in_words import VERDICTS, in_words
 from nonsmooth.solver.trade.measured import Trade
 
-from ..columns import (
-    MORE_DIGITS,
-    Piece,
-    certain_digits,
-    filled,
-    table_of,
-    without_rounding,
-)
+from ..columns import MORE_DIGITS, Piece, certain_digits, filled, table_of, without_rounding
 from ..values import Vary
 from .captions import caption, caption_of_family, derivative, estimated, legend
 
