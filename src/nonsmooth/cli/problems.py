@@ -4,12 +4,11 @@ import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import MappingProxyType
-from typing import TYPE_CHECKING, TextIO
+from typing import TextIO
 
 import click
 
-if TYPE_CHECKING:
-    from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.no_orbit import NoOrbit
 
 #: The options of a command that takes several methods, and orders.
 PLURAL = {"method": "methods", "order": "orders"}
@@ -61,7 +60,7 @@ def is_verbose() -> bool:
     return context is not None and bool(context.meta.get(__name__))
 
 
-def reasons(finding: "NoOrbit") -> tuple[str, ...]:
+def reasons(finding: NoOrbit) -> tuple[str, ...]:
     """Return why there is no orbit: one sentence, then further findings and what was tried."""
     sentence, *further = [finding.reason] if finding.proven else finding.reason.split("; ")
     return sentence, *further, *_shortened(finding.tried)
@@ -78,7 +77,7 @@ def _shortened(tried: Sequence[str]) -> Iterator[str]:
     yield from tried[-MOST_TOLD // 2 :]
 
 
-def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
+def tell(finding: NoOrbit, said: set[str] | None = None) -> None:
     """Say on stderr why there is no orbit: what was found, and below it what was tried.
 
     What is in `said`, but for the method in front, is not said at length again; it is added.

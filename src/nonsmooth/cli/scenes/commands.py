@@ -1,9 +1,10 @@
 """The commands about a scene as the command line shows them; what runs is imported to run."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import click
+
+from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 
 from ..about import PREFIX, CommandAbout, Verb, flag, option
 from ..commands import paper
@@ -11,9 +12,6 @@ from ..named import DEFAULT, SCENES
 from ..output import FOR_REPORTS
 from ..problems import Verbose
 from . import options
-
-if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 
 #: Further examples of simulations, of scenes that something forces.
 OF_MANY = """  nonsmooth simulate {said} --vary {vary}:200 -o diagram.png
@@ -139,7 +137,7 @@ For another SCENE, a name that 'nonsmooth scenes' lists or the path of a scene f
 parameters are in 'nonsmooth {verb} SCENE --help'."""
 
 
-def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
+def command(verb: str, scene: LoadedScene, said: str) -> click.Command:
     """Return a command of a scene, which the user called so."""
     before, last = scene.parameters[-2:][0], scene.parameters[-1]
     words = {
@@ -164,6 +162,6 @@ def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
     return CommandAbout(scene, said, about, parameters, words, others)
 
 
-def _help(q: "Parameter") -> str:
+def _help(q: Parameter) -> str:
     unit = f" in {q.unit}" if q.unit else ""
     return f"{q.symbol}{unit}: {q.what}; {q.expected}.  [default: {q.default:g}]"

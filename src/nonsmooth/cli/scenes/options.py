@@ -1,19 +1,17 @@
 """The options of commands about a scene, beside its parameters."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from nonsmooth.solver.kernels.registry import methods
+from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 from nonsmooth.solver.scenes.methods import in_order, shown
 
 from ..about import PREFIX, flag, option
 from ..aliases import Aliased, Once, OneOrder
 from ..values import ORDERS, SEVERAL
-
-if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 
 #: N of a command about one order, where none is named.
 ORDER = 10
@@ -22,12 +20,12 @@ ORDER = 10
 TRANSIENT, KEPT, FOLLOWED = 200, 50, 100
 
 
-def method_names(scene: "LoadedScene") -> list[str]:
+def method_names(scene: LoadedScene) -> list[str]:
     """Return the methods of a scene as they are shown, in their order."""
     return [shown(scene, method) for method in in_order(methods(scene))]
 
 
-def range_of(q: "Parameter") -> str:
+def range_of(q: Parameter) -> str:
     """Return a range of a parameter up to its default, as ``--vary`` takes it."""
     return f"{flag(q.name)[2:]}={q.default / 2:g}:{q.default or 1:g}"
 
@@ -37,7 +35,7 @@ def _functions() -> click.Option:
     return option("--functions", int, words, metavar="K")
 
 
-def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
+def of_motion(scene: LoadedScene) -> list[click.Parameter]:
     """Return the options that say which motion of a scene is meant."""
     options: list[click.Parameter] = []
     if scene.motions:
@@ -57,7 +55,7 @@ def _cycles(name: str, suffix: str = "") -> click.Option:
     return option(f"--cycles {name}", int, words, metavar="n")
 
 
-def of_solve(scene: "LoadedScene") -> list[click.Parameter]:
+def of_solve(scene: LoadedScene) -> list[click.Parameter]:
     """Return the options of ``nonsmooth solve``."""
     names = f"{', '.join(method_names(scene))}; without it, all."
     order = f"N: number of harmonics, or degree of polynomials.  [default: {ORDER}]"
@@ -74,7 +72,7 @@ def of_solve(scene: "LoadedScene") -> list[click.Parameter]:
     ]
 
 
-def of_sweep(scene: "LoadedScene") -> list[click.Parameter]:
+def of_sweep(scene: LoadedScene) -> list[click.Parameter]:
     """Return the options of ``nonsmooth sweep``."""
     names = f"Methods, joined by commas.  [default: {','.join(method_names(scene))}]"
     vary = "Vary a parameter instead, by one method at one order."
@@ -88,7 +86,7 @@ def of_sweep(scene: "LoadedScene") -> list[click.Parameter]:
     ]
 
 
-def of_branch(scene: "LoadedScene") -> list[click.Parameter]:
+def of_branch(scene: LoadedScene) -> list[click.Parameter]:
     """Return the options of ``nonsmooth branch``."""
     file = click.Path(path_type=Path, dir_okay=False)
     start = "Start from an orbit that solve has written as .json or .nc."
@@ -116,7 +114,7 @@ def of_branch(scene: "LoadedScene") -> list[click.Parameter]:
     ]  # fmt: skip
 
 
-def of_map(scene: "LoadedScene") -> list[click.Parameter]:
+def of_map(scene: LoadedScene) -> list[click.Parameter]:
     """Return the options of ``nonsmooth map``."""
     words = "Given twice: a parameter, its range, and how many values it takes."
     form: dict[str, Any] = {"metavar": "NAME=FROM:TO:COUNT", "required": True, "multiple": True}
@@ -124,7 +122,7 @@ def of_map(scene: "LoadedScene") -> list[click.Parameter]:
     return [vary, *([_cycles("cycles")] if scene.frequency else ())]
 
 
-def of_simulate(scene: "LoadedScene") -> list[click.Parameter]:
+def of_simulate(scene: LoadedScene) -> list[click.Parameter]:
     """Return the options of ``nonsmooth simulate``; some look once a period of the forcing."""
     state = (
         "Displacement in m and velocity in m/s at the start; for a structure, of its first "
@@ -156,7 +154,7 @@ def of_simulate(scene: "LoadedScene") -> list[click.Parameter]:
     ]
 
 
-def of_digits(scene: "LoadedScene") -> list[click.Parameter]:
+def of_digits(scene: LoadedScene) -> list[click.Parameter]:
     """Return the options of ``nonsmooth digits``."""
     names = f"Methods, joined by commas.  [default: {','.join(method_names(scene))}]"
     return [

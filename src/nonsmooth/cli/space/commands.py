@@ -1,18 +1,17 @@
 """The commands about a structure as the command line shows them; `scenes.commands` is alike."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
+
+from nonsmooth.solver.space.structure import Structure
 
 from ..about import PREFIX, CommandAbout, Verb, flag, option
 from ..aliases import Once
 from ..values import ORDERS, SEVERAL
 
-if TYPE_CHECKING:
-    from nonsmooth.solver.space.structure import Structure
 
-
-def _of_modes(structure: "Structure") -> list[click.Parameter]:
+def _of_modes(structure: Structure) -> list[click.Parameter]:
     """Return the options of ``nonsmooth modes``."""
     k, most = structure.k, structure.most_forced
     order = "N: number of sines, or degree of polynomials.  [default: 8]"
@@ -31,7 +30,7 @@ def _of_modes(structure: "Structure") -> list[click.Parameter]:
     ]
 
 
-def _of_sweep(structure: "Structure") -> list[click.Parameter]:
+def _of_sweep(structure: Structure) -> list[click.Parameter]:
     """Return the options of ``nonsmooth sweep``."""
     k, most = structure.k, structure.most_forced
     names = f"Methods, joined by commas.  [default: ritz,ritz-c{k},c{k}]"
@@ -77,7 +76,7 @@ with its error against the exact one and, where they are available, with proved 
 }
 
 
-def command(verb: str, structure: "Structure", said: str) -> click.Command:
+def command(verb: str, structure: Structure, said: str) -> click.Command:
     """Return a command of a structure, which the user called so."""
     words = {"k": structure.k, "flag": flag(structure.attached.name)}
     place = (
@@ -94,7 +93,7 @@ def command(verb: str, structure: "Structure", said: str) -> click.Command:
     return CommandAbout(structure, said, VERBS[verb], flags, words)
 
 
-def _help(structure: "Structure", q: Any) -> str:
+def _help(structure: Structure, q: Any) -> str:
     spring = structure.kind == "stiffness" and q.name == structure.attached.name
     admitted = "above the critical one, not 0" if spring else "above 0"
     return f"{q.symbol} in {q.unit}: {q.what}, {admitted}.  [default: {q.default:g}]"
