@@ -13,8 +13,6 @@ from .problems import Problem
 from .values import parse_orders
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.loaded import LoadedScene
-
     IntegerType = click.ParamType[int]
 else:  # not generic in click 8.2
     IntegerType = click.ParamType
@@ -89,16 +87,6 @@ def split_methods(text: str | None) -> list[str]:
     (['hb', 'ck'], [])
     """
     return [] if text is None else list(dict.fromkeys(q.strip() for q in text.split(",")))
-
-
-def generic_methods(scene: "LoadedScene", text: str) -> list[str]:
-    """Return the methods of a scene that a list names, by the names that all scenes share.
-
-    A `ValueError` names one that it does not have.
-    """
-    from nonsmooth.solver.kernels.registry import generic_method
-
-    return list(dict.fromkeys(generic_method(scene, name) for name in split_methods(text)))
 
 
 def check_one_method(names: Sequence[str], beside: str) -> None:

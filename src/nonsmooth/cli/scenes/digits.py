@@ -16,7 +16,7 @@ from nonsmooth.solver.scenes.methods import EXACT, shown
 from nonsmooth.solver.search import HIGHEST_ORDER
 
 from ..about import Given
-from ..aliases import generic_methods
+from ..aliases import split_methods
 from ..columns import Piece, filled, table_of
 from ..output import Destination, drawn_by
 from ..problems import PLURAL, Problem, as_problems, say
@@ -24,6 +24,7 @@ from ..progress import progress
 from ..values import parse_orders
 from .captions import caption
 from .case import case_from
+from .options import generic_methods
 
 #: The command as earlier versions called it, and what is said where it is called so.
 OLD_NAME = "stability"
@@ -56,7 +57,7 @@ def run(
     names = list(registry.methods(case.scene))
     if methods is not None:
         with as_problems(PLURAL):
-            names = generic_methods(case.scene, methods)
+            names = generic_methods(case.scene, split_methods(methods))
     with as_problems(of=f"an extreme of {case.scene.name}: "):
         cases = digits.extremes(case)
     if len(cases) == 1:

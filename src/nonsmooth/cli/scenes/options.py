@@ -1,11 +1,12 @@
 """The options of commands about a scene, beside its parameters."""
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import click
 
-from nonsmooth.solver.kernels.registry import methods
+from nonsmooth.solver.kernels.registry import generic_method, methods
 from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 from nonsmooth.solver.scenes.methods import in_order, shown
 
@@ -23,6 +24,14 @@ TRANSIENT, KEPT, FOLLOWED = 200, 50, 100
 def method_names(scene: LoadedScene) -> list[str]:
     """Return the methods of a scene as they are shown, in their order."""
     return [shown(scene, method) for method in in_order(methods(scene))]
+
+
+def generic_methods(scene: LoadedScene, names: Iterable[str]) -> list[str]:
+    """Return the named methods, each once, by the names that all scenes share.
+
+    A `ValueError` names one that the scene does not have.
+    """
+    return list(dict.fromkeys(generic_method(scene, name) for name in names))
 
 
 def range_of(q: Parameter) -> str:

@@ -18,13 +18,14 @@ from nonsmooth.solver.sweep import sweep
 from nonsmooth.solver.trade import measured
 
 from ..about import Given
-from ..aliases import generic_methods
+from ..aliases import split_methods
 from ..output import Destination, drawn_by
 from ..problems import PLURAL, Problem, as_problems, tell_none
 from ..progress import progress
 from ..values import ORDERS, Vary, is_whole, parse_orders, values_of
 from . import tables
 from .case import case_from, vary_from
+from .options import generic_methods
 
 
 def run(
@@ -47,7 +48,7 @@ def _over_orders(
     """Sweep over orders, show it, write it; the exit status."""
     numbers = parse_orders(ORDERS if orders is None else orders)
     with as_problems(PLURAL):
-        names = None if methods is None else generic_methods(case.scene, methods)
+        names = generic_methods(case.scene, split_methods(methods)) or None
         total = len(names or methods_of(case.scene)) * len(numbers)
         with progress(total, "sweep") as advance:
 

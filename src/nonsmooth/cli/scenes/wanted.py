@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from nonsmooth.solver.exact import ExactOrbit, exact_orbit
-from nonsmooth.solver.kernels.registry import generic_method, methods
+from nonsmooth.solver.kernels.registry import methods
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.scenes.case import Case
@@ -16,7 +16,7 @@ from nonsmooth.solver.trade.tolerance import choose_order
 from ..aliases import check_one_method
 from ..problems import Problem, as_problems, tell
 from ..progress import busy
-from .options import ORDER
+from .options import ORDER, generic_methods
 
 #: What each method has found.
 Found = dict[str, Orbit | NoOrbit]
@@ -58,11 +58,11 @@ def search(case: Case, wanted: Wanted) -> tuple[Choice | None, Found]:
     """
     scene = case.scene
     with as_problems():
-        chosen = tuple(dict.fromkeys(generic_method(scene, q) for q in wanted.methods))
+        chosen = generic_methods(scene, wanted.methods)
     if wanted.chosen_by:
         check_one_method(wanted.methods, wanted.chosen_by)
         return _choose(case, chosen[0] if chosen else None, wanted)
-    names = chosen or tuple(in_order(methods(scene)))
+    names = chosen or in_order(methods(scene))
     outcomes: Found = {}
     try:
         with busy("looking for a motion"):
