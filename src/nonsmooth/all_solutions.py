@@ -15,9 +15,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from math import gcd, lcm
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.polynomial.polynomial import polyval
 
 from .solver.existence.real_roots import Polynomial, isolate, refine
 from .solver.kernels.registry import kernel
@@ -89,7 +90,7 @@ def isolated(order: int, alpha: float) -> list[tuple[float, float]]:
     p = polynomial(order, alpha)
     roots = []
     for slip in (refine(p, *interval) for interval in isolate(p)):
-        D, _, W = (_evaluate(part, slip**2) for part in _rational_function(order))
+        D, _, W = (polyval(slip**2, part) for part in _rational_function(order))
         roots.append((float(slip * W / D), float(slip)))
     return roots
 
@@ -101,7 +102,7 @@ def alpha_of(order: int, slip: float) -> float:
     """
     D, E, _ = _rational_function(order)
     square = Fraction(slip) ** 2
-    return float(Fraction(slip) * _evaluate(E, square) / _evaluate(D, square))
+    return float(Fraction(slip) * polyval(square, E) / polyval(square, D))
 
 
 def polynomial(order: int, alpha: float) -> Polynomial:
@@ -204,23 +205,16 @@ def _eliminate(rows: list[list[Fraction]]) -> tuple[Fraction, list[Fraction]] | 
 
 
 def _interpolate(places: list[Fraction], values: Sequence[Fraction]) -> list[Fraction]:
-    """Return the coefficients of the polynomial through the values (Newton's form)."""
-    table = list(values)
-    for level in range(1, len(places)):
-        for i in range(len(places) - 1, level - 1, -1):
-            table[i] = (table[i] - table[i - 1]) / (places[i] - places[i - level])
-    coefficients = [table[-1]]
-    for i in range(len(places) - 2, -1, -1):
-        shifted = [Fraction(0), *coefficients]
-        for power, value in enumerate(coefficients):
-            shifted[power] -= places[i] * value
-        shifted[0] += table[i]
-        coefficients = shifted
-    return coefficients
+    """Return the coefficients of the polynomial through the values, by Newton's form.
 
-
-def _evaluate(coefficients: list[Fraction], x: Fraction) -> Fraction:
-    total = Fraction(0)
-    for c in reversed(coefficients):
-        total = total * x + c
-    return total
+    The arrays are of fractions: nothing is rounded.
+    """
+    x: Any = np.array(places)
+    table: Any = np.array(values)
+    for level in range(1, len(x)):
+        table[level:] = (table[level:] - table[level - 1 : -1]) / (x[level:] - x[:-level])
+    coefficients = table[-1:]
+    for place, value in zip(x[-2::-1], table[-2::-1], strict=True):
+        coefficients = np.convolve(coefficients, [-place, 1])
+        coefficients[0] += value
+    return list(coefficients)
