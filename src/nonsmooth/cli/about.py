@@ -183,20 +183,15 @@ class CommandAbout(BehindName):
             return status
 
         title = about.title[0].upper() + about.title[1:]
-        words = {"name": about.name, "title": title, "said": said, **words}
+        called = f" {said}" if said else ""
+        words = {"name": about.name, "title": title, "said": called, **words}
         super().__init__(
             name=about.name,
             callback=callback,
             params=[*verb.options(about), file, *parameters, *verb.written],
             help=verb.help.format(**words),
-            epilog="\b\nExamples:\n" + _without_gaps(verb.examples.format(**words)),
+            epilog="\b\nExamples:\n" + verb.examples.format(**words),
         )
-
-
-def _without_gaps(examples: str) -> str:
-    """Return examples without the double spaces that an empty name leaves."""
-    lines = examples.replace("  --", " --").split("\n")
-    return "\n".join(line.rstrip() for line in lines)
 
 
 def option(

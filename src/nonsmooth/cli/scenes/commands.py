@@ -14,8 +14,8 @@ from ..problems import Verbose
 from . import options
 
 #: Further examples of simulations, of scenes that something forces.
-OF_MANY = """  nonsmooth simulate {said} --vary {vary}:200 -o diagram.png
-  nonsmooth simulate {said} --grid x=-2:2:50 --grid v=-2:2:50
+OF_MANY = """  nonsmooth simulate{said} --vary {vary}:200 -o diagram.png
+  nonsmooth simulate{said} --grid x=-2:2:50 --grid v=-2:2:50
 """
 
 #: By the name of the command.
@@ -27,9 +27,9 @@ VERBS = {
 {title}. With --tol: the lowest order of the method ({best} unless --method names another)
 whose estimated errors are within the tolerance. With --budget: the most accurate orbit that
 can be computed in this time, measured on this machine.""",
-        """  nonsmooth solve {said}
-  nonsmooth solve {said} --method {best} --tol 1e-9
-  nonsmooth solve {said} {flag} {value:g} -o orbit.png
+        """  nonsmooth solve{said}
+  nonsmooth solve{said} --method {best} --tol 1e-9
+  nonsmooth solve{said} {flag} {value:g} -o orbit.png
 """,
         options=options.of_solve,
         file="the orbit: .json, .nc, its motion .csv",
@@ -39,10 +39,10 @@ can be computed in this time, measured on this machine.""",
         """Compute the orbit of {name} for many orders and compare it with the exact one.
 
 {title}. With --vary: the orbit at given values of a parameter.""",
-        """  nonsmooth sweep {said}
-  nonsmooth sweep {said} --methods hb,{best} --orders 1-10,20,40 -o rows.csv
-  nonsmooth sweep {said} --orders 2-16 -o convergence.png
-  nonsmooth sweep {said} --vary {vary}:40 -o along.png
+        """  nonsmooth sweep{said}
+  nonsmooth sweep{said} --methods hb,{best} --orders 1-10,20,40 -o rows.csv
+  nonsmooth sweep{said} --orders 2-16 -o convergence.png
+  nonsmooth sweep{said} --vary {vary}:40 -o along.png
 """,
         options=options.of_sweep,
         file="the rows: .csv, .json, .nc",
@@ -54,9 +54,9 @@ can be computed in this time, measured on this machine.""",
 {title}. The orbits are exact. Where a phase begins or ends, the branch goes on with the new
 sequence of phases. Folds, flips (period doublings), grazings, and beginnings and ends of a
 rest are located to rounding error.""",
-        """  nonsmooth branch {said} --vary {vary}
-  nonsmooth branch {said} --vary {vary} -o branch.svg
-  nonsmooth branch {said} --vary {vary} --all --json
+        """  nonsmooth branch{said} --vary {vary}
+  nonsmooth branch{said} --vary {vary} -o branch.svg
+  nonsmooth branch{said} --vary {vary} --all --json
 """,
         options=options.of_branch,
         file="the branch: .csv, .json, .nc",
@@ -67,9 +67,9 @@ rest are located to rounding error.""",
 
 {title}. Each point has an exact orbit, stable or not, or is empty if none is found. Curves of
 folds, flips, grazings and rests are followed in both parameters. All cores are used.""",
-        """  nonsmooth map {said} --vary {vary}:60 --vary {other}:40
-  nonsmooth map {said} --json -o map.png \\
-    --vary {vary}:60 --vary {other}:40
+        """  nonsmooth map{said} --vary {vary}:60 --vary {other}:40
+  nonsmooth map{said} --json -o map.png \\
+   --vary {vary}:60 --vary {other}:40
 """,
         options=options.of_map,
         file="the map: .csv, .json, .nc",
@@ -80,10 +80,10 @@ folds, flips, grazings and rests are followed in both parameters. All cores are 
 
 {title}. Each phase is the exact solution of its equation, and no event is stepped over. The
 next phase is one whose demands hold after the event.""",
-        """  nonsmooth simulate {said} --cycles 50
-  nonsmooth simulate {said} --state 0,0.1 -o transient.png
-  nonsmooth simulate {said} {flag} {value:g} --json
-{of_many}""",
+        """  nonsmooth simulate{said} --cycles 50
+  nonsmooth simulate{said} --state 0,0.1 -o transient.png
+  nonsmooth simulate{said} {flag} {value:g} --json
+""",
         options=options.of_simulate,
         file="the motion: .json, .csv",
     ),
@@ -94,8 +94,8 @@ next phase is one whose demands hold after the event.""",
 {title}. At the given parameters and at extreme ones that the scene names, the exact equations
 and those of each method are solved in float64, and again in ball arithmetic. Needs
 python-flint.""",
-        """  nonsmooth digits {said}
-  nonsmooth digits {said} --methods {best} --orders 5,10,20 -o digits.png
+        """  nonsmooth digits{said}
+  nonsmooth digits{said} --methods {best} --orders 5,10,20 -o digits.png
 """,
         options=options.of_digits,
         file="the digits: .json",
@@ -107,8 +107,8 @@ python-flint.""",
 
 {title}. A time is that of a whole solve with compiled kernels: search, checks and errors. A
 point marked * is on the Pareto front: no other is both faster and more accurate.""",
-        """  nonsmooth tradeoff {said}
-  nonsmooth tradeoff {said} {flag} {value:g} -o tradeoff.png
+        """  nonsmooth tradeoff{said}
+  nonsmooth tradeoff{said} {flag} {value:g} -o tradeoff.png
 """,
         file="the points: .json",
     ),
@@ -117,8 +117,8 @@ point marked * is on the Pareto front: no other is both faster and more accurate
         """Write a page on {name}: what it is, its orbit, and how fast each expansion finds it.
 
 {title}. The page needs no network.""",
-        """  nonsmooth report {said} -o {name}
-  nonsmooth report {said} {flag} {value:g} -o {name}
+        """  nonsmooth report{said} -o {name}
+  nonsmooth report{said} {flag} {value:g} -o {name}
 """,
         folder="Folder to make: index.html, and every figure as .svg and .pdf.",
         needs=FOR_REPORTS,
@@ -147,7 +147,6 @@ def command(verb: str, scene: LoadedScene, said: str) -> click.Command:
         "vary": options.range_of(last),
         "other": options.range_of(before),
     }
-    words["of_many"] = OF_MANY.format(said=said, **words) if scene.frequency else ""
     parameters = [
         *(
             option(f"{flag(q.name)} {PREFIX}{q.name}", float, _help(q))
@@ -156,6 +155,8 @@ def command(verb: str, scene: LoadedScene, said: str) -> click.Command:
         Verbose(),
     ]
     about = (VERBS | OF_DEFAULT if scene.name == DEFAULT else VERBS)[verb]
+    if verb == "simulate" and scene.frequency:
+        about = replace(about, examples=about.examples + OF_MANY)
     others = () if said or verb not in VERBS else (SCENES,)
     if others:
         about = replace(about, help=about.help + OF_OTHERS.format(verb=verb))

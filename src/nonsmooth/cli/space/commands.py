@@ -52,11 +52,11 @@ VERBS = {
 {title}; its modes are of class C{k}. The methods are those of the paper, in space: ritz has
 sines, ritz-c{k} sines and forced modes, c{k} functions of class C{k} only. Every mode comes
 with its error against the exact one and, where they are available, with proved bounds.""",
-        """  nonsmooth modes {said} --position 3/10 {flag} 10
-  nonsmooth modes {said} --method all --order 12 -o modes.png
-  nonsmooth modes {said} --forced 2 --tol 1e-12 --count 3
-  nonsmooth modes {said} --vary position=1/20:1/2:10
-  nonsmooth modes {said} --shapes 101 -o shapes.csv
+        """  nonsmooth modes{said} --position 3/10 {flag} 10
+  nonsmooth modes{said} --method all --order 12 -o modes.png
+  nonsmooth modes{said} --forced 2 --tol 1e-12 --count 3
+  nonsmooth modes{said} --vary position=1/20:1/2:10
+  nonsmooth modes{said} --shapes 101 -o shapes.csv
 """,
         options=_of_modes,
         file="the modes: .json, .csv, .nc",
@@ -66,9 +66,9 @@ with its error against the exact one and, where they are available, with proved 
         """Compute one mode of {name} for many orders and compare it with the exact one.
 
 {title}; its modes are of class C{k}.""",
-        """  nonsmooth sweep {said}
-  nonsmooth sweep {said} --methods ritz,ritz-c{k} --forced 1,2 --orders 4,8,16,32
-  nonsmooth sweep {said} --mode 3 -o convergence.png
+        """  nonsmooth sweep{said}
+  nonsmooth sweep{said} --methods ritz,ritz-c{k} --forced 1,2 --orders 4,8,16,32
+  nonsmooth sweep{said} --mode 3 -o convergence.png
 """,
         options=_of_sweep,
         file="the rows: .csv, .json",
