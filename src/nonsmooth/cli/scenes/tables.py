@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from nonsmooth.nearest import in_short
+from nonsmooth.nearest import counted, in_short
 from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.existence.known import others
 from nonsmooth.solver.existence.reasons import WithoutSwitches
@@ -62,12 +62,12 @@ def solutions(
         )
     yield table
     orbits = [orbit for orbit in outcomes.values() if isinstance(orbit, Orbit)]
-    for motion, words in [(exact, "exact"), *((q, name_of(q)) for q in orbits)]:
-        if motion is not None:
-            yield filled(f"{words}: {in_words(motion)}", "  ")
-            break
-    for orbit in outcomes.values():
-        if isinstance(orbit, Orbit) and orbit.estimate.times < MORE_DIGITS:
+    if exact is not None:
+        yield filled(f"exact: {in_words(exact)}", "  ")
+    elif orbits:
+        yield filled(f"{name_of(orbits[0])}: {in_words(orbits[0])}", "  ")
+    for orbit in orbits:
+        if orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
             yield filled(words, "  ")
 
@@ -270,16 +270,14 @@ def transient(case: Case, motion: Simulation) -> Iterator[Piece]:
     yield caption(case)
     table = table_of("phase", "t [s]", "lasts [s]", "x [m]", "x' [m/s]")
     phases = motion.phases
-    few = len(phases) <= FIRST + LAST
-    for phase in phases if few else phases[:FIRST]:
-        table.add_row(*_cells(phase))
-    if not few:
-        table.add_row("...", "", "", "", "")
-        for phase in phases[-LAST:]:
-            table.add_row(*_cells(phase))
+    rows = [_cells(phase) for phase in phases]
+    if len(rows) > FIRST + LAST:
+        rows[FIRST:-LAST] = [("...", "", "", "", "")]
+    for row in rows:
+        table.add_row(*row)
     yield table
-    words = "phase" if len(phases) == 1 else "phases"
-    yield f"\n{len(phases)} {words} in {motion.time:.6g} s; t, x and x' where each begins."
+    count = counted(len(phases), "phase")
+    yield f"\n{count} in {motion.time:.6g} s; t, x and x' where each begins."
     if any(phase.mirrored for phase in phases):
         yield "-: the mirror image of the phase."
 
