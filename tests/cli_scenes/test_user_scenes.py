@@ -166,7 +166,7 @@ def test_a_text_that_reaches_out_does_not_stand_alone(line: str) -> None:
 
 def test_the_hash_is_of_the_whole_symbolic_stage(tmp_path: Path) -> None:
     folder = tmp_path / "codegen"
-    for name in ("a.py", "galerkin/b.py", "scenes/impact.py", "show/c.py", "note.txt"):
+    for name in ("a.py", "galerkin/b.py", "scenes/impact.py", "equations/c.py", "note.txt"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text("")
     found = [path.relative_to(folder).as_posix() for path in content._modules(folder)]

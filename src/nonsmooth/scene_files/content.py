@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from nonsmooth.codegen.scene import Scene
 
 #: Folders of the symbolic stage that kernels of users' scenes do not depend on.
-OTHERS = {"scenes", "show", "printing", "__pycache__"}
+OTHERS = {"scenes", "equations", "printing", "__pycache__"}
 
 #: Modules that a scene file may import and be known by its text: they read no other file.
 CLOSED = {
