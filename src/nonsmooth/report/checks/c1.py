@@ -35,23 +35,18 @@ def overtakes(case: Case, of: str) -> Finding:
     return Finding(first <= MOST // 2, words)
 
 
-def _both_periods(case: Case, order: int) -> tuple[float, float]:
-    ours, theirs = (abs(case.measured("period", m, order)) for m in ("c1", "hb-c1"))
-    return ours, theirs
-
-
 def beyond_three(case: Case) -> Finding:
     """Check that the period is better than with one C1 function at every order beyond 3."""
     behind = [N for N in case.behind("period", "c1", "hb-c1") if N > THREE]
     N = behind[0] if behind else THREE + 1
-    ours, theirs = _both_periods(case, N)
+    ours, theirs = (abs(case.measured("period", m, N)) for m in ("c1", "hb-c1"))
     words = f"{percent(ours)} off against {percent(theirs)} at N = {N}"
     return Finding(not behind, words)
 
 
 def behind_at_three(case: Case) -> Finding:
     """Check that the period is still worse than with one C1 function at N = 3."""
-    ours, theirs = _both_periods(case, THREE)
+    ours, theirs = (abs(case.measured("period", m, THREE)) for m in ("c1", "hb-c1"))
     return Finding(ours > theirs, f"{percent(ours)} off against {percent(theirs)}")
 
 

@@ -26,11 +26,6 @@ from .sketches import SKETCHES, sketch
 POINTS = 800
 
 
-def drawing(axes: Any, results: Collected) -> None:
-    """Draw the sketch of the oscillator."""
-    sketch(axes, results.case.scene.name)
-
-
 def plane(axes: Any, results: Collected) -> None:
     """Draw the phase plane: the exact orbit, and orbits of low order."""
     draw_motion(results.exact, axes, linewidth=1.6)
@@ -124,7 +119,7 @@ def _marked(way: Way) -> dict[str, Any]:
 
 #: The functions that draw the figures, by the names of their files, and captions.
 FIGURES: Mapping[str, tuple[Draw, str]] = {
-    "sketch": (drawing, "the oscillator"),
+    "sketch": (lambda axes, q: sketch(axes, q.case.scene.name), "the oscillator"),
     "plane": (plane, "the orbit in the phase plane"),
     "history": (history, "displacement and velocity over a period"),
     "jump": (jumping, "the first derivative that jumps"),
