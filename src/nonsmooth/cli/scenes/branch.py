@@ -112,14 +112,11 @@ def _diagrams(case: Case, followed: Branch, along: Vary[float]) -> tuple[Diagram
         return tuple(diagram(followed.case, along.parameter, values) for values in directions)
 
 
-def chart(
-    given: Given[LoadedScene], to: Destination, vary: tuple[str, ...], cycles: int | None = None
-) -> int:
+def chart(given: Given[LoadedScene], to: Destination, vary: tuple[str, ...]) -> int:
     """Compute the map, show it, write it; the exit status."""
     first, second = _axes(given, vary)
     axes = {each.parameter: (each.first, each.last, each.count) for each in (first, second)}
-    extra = {} if cycles is None else {"cycles": cycles}
-    case = case_from(given, **extra)
+    case = case_from(given)
     interrupt = None
     tasks = maps.number_of_tasks(first.count, second.count)
     with as_problems(), progress(tasks, "map") as advance, pool() as executor:

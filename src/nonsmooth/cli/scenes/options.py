@@ -55,13 +55,13 @@ def of_motion(scene: LoadedScene) -> list[click.Parameter]:
     options.append(option(f"--phases {PREFIX}phases", str, words, metavar="NAMES"))
     if scene.frequency is not None:
         odd = ", an odd number" if scene.half_period else ""
-        options.append(_cycles(f"{PREFIX}cycles", odd))
+        options.append(_cycles(odd))
     return options
 
 
-def _cycles(name: str, suffix: str = "") -> click.Option:
+def _cycles(suffix: str = "") -> click.Option:
     words = f"Periods of the forcing in one period of the motion{suffix}.  [default: 1]"
-    return option(f"--cycles {name}", int, words, metavar="n")
+    return option(f"--cycles {PREFIX}cycles", int, words, metavar="n")
 
 
 def of_solve(scene: LoadedScene) -> list[click.Parameter]:
@@ -128,7 +128,7 @@ def of_map(scene: LoadedScene) -> list[click.Parameter]:
     words = "Given twice: a parameter, its range, and how many values it takes."
     form: dict[str, Any] = {"metavar": "NAME=FROM:TO:COUNT", "required": True, "multiple": True}
     vary = option("--vary", str, words, **form)
-    return [vary, *([_cycles("cycles")] if scene.frequency else ())]
+    return [vary, *([_cycles()] if scene.frequency else ())]
 
 
 def of_simulate(scene: LoadedScene) -> list[click.Parameter]:
