@@ -110,7 +110,7 @@ def mapped(scene: str) -> float:
     names, bounds = ("frequency", name), (ends, across)
     case = ns.scene(scene)(**values)
     cases = (case.with_value(name, float(q)) for q in np.linspace(*across, LINES))
-    stretches = [q for each in cases for q in lines.line_of(each, names, bounds, 1)[0]]
+    stretches = [q for each in cases for q in lines.line_of(each, names, bounds, 1, POINTS)[0]]
     planes, seeds = planes_of(case, names, bounds, stretches)
     A = np.linspace(-1, 1, POINTS)
 

@@ -76,7 +76,8 @@ def known(case: Case) -> Known:
     """
     cell = case.cell
     if isinstance(cell, BodyCell):
-        if isinstance(case.scene, OrderedScene) and not bodies.listed(cell):
+        found = isinstance(case.scene, OrderedScene) and cell.forced  # by simulations
+        if found and not bodies.listed(cell):
             return Known()
         roots = list(bodies.solutions(case))
         return replace(_sorted(roots, bodies.complete(cell, roots)), listed=bodies.listed(cell))

@@ -42,6 +42,9 @@ from .steps.step import Passed
 #: Velocities from which `settle` simulates, relative to one that reaches all surfaces, about.
 THROWN = 1.5, -1.5, 4.0, -4.0
 
+#: The frequency by which it is reached without a forcing, without units.
+ALONE = 2.5
+
 #: Most phases that compiled functions follow at once.
 AT_ONCE = 64
 
@@ -210,7 +213,7 @@ class Machine:
         """Return states with so much velocity that a mass passes its switching surfaces."""
         events = (node.phase.event for node in self.nodes)
         places = (abs(event[3] / event[0]) for event in events if event[0])
-        speed = self.cell.omega * max([1.0, *places])
+        speed = (self.cell.omega or ALONE) * max([1.0, *places])
         return [self.released(0.0, part * speed, 0.0) for part in THROWN]
 
     def remembered(self, state: AnyState) -> AnyState:

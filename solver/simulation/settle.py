@@ -93,11 +93,11 @@ def from_several_states(case: Case, *phases: int) -> Iterator[Settled]:
         asked = [q for q in outcomes if q.conclusive and _in_that(case, base.cell, q).times]
     else:
         asked = [q for q in outcomes if q.conclusive and _is_asked(q, case.cycles)]
-    if not base.cell.forced or any(q.times or q.other for q in asked):
+    if any(q.times or q.other for q in asked):
         return
     machine = machine_of(base.cell)
     starts = machine.thrown()
-    if not asked:
+    if not asked and base.cell.forced:
         starts = [*(machine.at_rest(angle) for angle in ANGLES), *starts]
     yield from _followed_from(base, starts, (FEW * len(starts),))
 

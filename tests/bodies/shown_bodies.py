@@ -10,7 +10,7 @@ from nonsmooth.codegen.equations.registry import conditions
 from nonsmooth.codegen.galerkin.bodies.contacts import RATE
 from nonsmooth.codegen.galerkin.condition import BodyConditions, N
 from nonsmooth.codegen.scene import Scene
-from nonsmooth.solver.bodies.force_series.layout import layout
+from nonsmooth.solver.bodies.force_series.layout import for_harmonics, layout
 from nonsmooth.solver.bodies.harmonics import system as harmonics
 from nonsmooth.solver.bodies.motion import solved
 from nonsmooth.solver.bodies.poles import poles_of
@@ -65,6 +65,10 @@ class Shown:
                 ):
                     own[letter if one else f"{letter}_{name}_{other}"] = matrix[c, d]
         self.values |= own
+        self.forced, self.contacts = cell.forced, names
+        self.phases = (
+            layout(cell, order) if method == "ck-tau" else for_harmonics(cell)
+        ).phases
         if method == "ck-tau":
             unknowns, _ = solved(cell, order, times)
             self._of_series(unknowns, layout(cell, order))
@@ -105,15 +109,35 @@ class Shown:
             self.values[str(block.symbol)] = float(value.real)
 
     def rows(self) -> tuple[list[complex], list[complex]]:
-        """Return the values of the events, and of all other conditions, row by row."""
-        events, others = [], []
+        """Return the values of the events, and of all other conditions, row by row.
+
+        With what the solver adds: to a force without a forcing a multiple of the last event.
+        """
+        rows = []
         for q in self.record.conditions:
             bounds = (sp.sympify(b).subs(N, int(self.values["N"])) for b in (q.first, q.count))
             first, count = map(int, bounds)
             for i in range(first, first + count):
                 value = self.of(q.expression, {} if q.index is None else {q.index: i})
-                (events if q.name.startswith("event") else others).append(value)
+                rows.append((q.name, i, value))
+        events = [value for name, _, value in rows if name.startswith("event")]
+        others = [
+            value + self._added(name, i) * events[-1]
+            for name, i, value in rows
+            if not name.startswith("event")
+        ]
         return events, others
+
+    def _added(self, name: str, i: int) -> float:
+        """Return the factor of the last event in a row of the solver; see `layout._fixing`."""
+        if self.forced or not name.startswith(("law", "harmonic")):
+            return 0.0
+        last, contact = self.phases[-1], name.split("_")[1]
+        c = self.contacts.index(contact)
+        if name.startswith("law"):
+            is_last = name.endswith(f"_{len(self.phases) - 1}")
+            return float(last.fixing[c]) if is_last and i < 2 else 0.0
+        return float(last.fixing[c] / last.direct[c, c]) / len(self.phases) * (abs(i) == 1)
 
     def of(self, e: sp.Expr, at: dict[sp.Expr, Any]) -> complex:
         """Return the value of an expression at values of its indices."""

@@ -1,4 +1,4 @@
-"""Digits of bodies that nothing holds but their contacts, and of a mode in resonance.
+"""Digits of bodies that nothing holds but their contacts, or drives; of a mode in resonance.
 
 In balls: a particle against its closed form, half a period, whose closing is regular, against
 the whole, whose closing is not, and the force series against the exact equations.
@@ -11,6 +11,7 @@ import pytest
 import sympy as sp
 from bodies.test_bodies_that_move_freely import ball_in_a_slot, row, scene
 from bodies.test_large_and_free_bodies import FIRST, TWO, case
+from bodies.test_self_excited_bodies import elastic, impact
 
 pytest.importorskip("flint")
 
@@ -58,6 +59,8 @@ CASES = {
     "gears": gears,
     "row": cache(row),
     "resonance": resonance,
+    "self-excited": elastic,
+    "self-excited impact": impact,
 }
 
 

@@ -268,9 +268,10 @@ def setting(cell: "BodyCell", order: int) -> Setting:
 def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
     """Return spring forces at the contacts, per unit of the event at the end of a phase.
 
-    They determine displacements that nothing else does, and without a forcing the begin of a
-    motion that may be shifted in time, and are 0 on an orbit; see `parts_of`.  They are added to the constant and the linear terms of the laws: a constant
-    alone does no work on a motion with the same velocities out and back.
+    They determine displacements that nothing else does; of the last phase also, without a
+    forcing, by how much a motion is shifted in time.  They are 0 on an orbit; see `parts_of`.
+    They are added to the constant and the linear terms of the laws: a constant alone does no
+    work on a motion with the same velocities out and back.
     """
     directions, rows = shifts(cell)[0], lawful(cell, p).rows
     event = switch(cell, p, rows).gradient

@@ -42,7 +42,7 @@ class Moving:
         return np.column_stack([derivatives, turned.real])
 
     def galerkin(self, A: Complex) -> Complex:
-        """Return the derivatives of Galerkin's rows, the first of `A`, by inner switches."""
+        """Return the derivatives of the rows A of the harmonics, by inner switches."""
         frame = self.frame
         derivatives = np.zeros((frame.waves, len(self.switches)), dtype=complex)
         waves = np.exp(-1j * frame.turns[:, None] * frame.ends)

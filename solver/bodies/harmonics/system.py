@@ -1,8 +1,9 @@
 """The equations of the harmonics of contact forces at given times; see the package."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -138,20 +139,29 @@ def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, 
     ends = [values(frame, phase.event, p, 1) for p, phase in enumerate(frame.own.phases)]
     events = np.vstack([rows for rows, _ in ends])
     constants = np.concatenate([offsets for _, offsets in ends])
-    mean, fixing = _fixing(frame)
-    A[mean] += fixing @ events
-    right[mean] -= fixing @ constants
+    slow, fixing = _fixing(cell, frame)
+    A[slow] += fixing @ events
+    right[slow] -= fixing @ constants
     return A, right, events, constants
 
 
-def _fixing(frame: Frame) -> tuple[Indices, Matrix]:
-    """Return the indices of the mean forces' rows, and the factors of the events added to them.
+def _fixing(cell: "BodyCell", frame: Frame) -> tuple[Indices, Matrix]:
+    """Return the indices of rows of forces, and the factors of the events added to them.
 
-    They vanish on an orbit; see `layout.Phase`.
+    They vanish on an orbit; see `layout.Phase`.  With a forcing the rows are those of the mean
+    forces; without one, of the first harmonics, which shift a motion in time.
     """
-    mean = np.flatnonzero(np.repeat(frame.turns == 0, frame.own.poles.b.shape[1]))
-    by_law = [q.fixing / np.diag(q.direct) for q in frame.own.phases]
-    return mean, np.array(by_law).T[: len(mean)] / len(by_law)
+    slow = [h for h, turn in enumerate(frame.turns) if fixes(cell, turn)]
+    by_law = np.array([q.fixing / np.diag(q.direct) for q in frame.own.phases]).T
+    contacts = range(len(by_law))
+    rows = np.array([h * len(by_law) + c for h in slow for c in contacts], dtype=int)
+    return rows, np.tile(by_law, (len(slow), 1)) / by_law.shape[1]
+
+
+def fixes(cell: "BodyCell", turn: Any) -> bool:
+    """Whether events are added to the rows of a harmonic ``h w T``: see `_fixing`."""
+    least = 0.0 if cell.forced else math.pi if cell.sign < 0 else 2 * math.pi
+    return abs(abs(float(turn)) - least) < 1.0
 
 
 def mean_fixes(cell: "BodyCell") -> bool:
@@ -195,7 +205,7 @@ def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Ev
     A, right, events, constant = _system(cell, frame)
     unknowns: Complex = np.asarray(np.linalg.solve(A, right), dtype=complex)
     residual: Vector = (events @ unknowns).real + constant
-    moved, shifted = _moved(cell, frame, A, unknowns)
+    moved, shifted = _moved(cell, frame, A, events, unknowns)
     by_times = np.zeros((count, len(times)))  # derivatives of switches and angle
     by_times[:-1, :count] = np.tri(count - 1, count) / T
     if cell.forced:
@@ -217,19 +227,19 @@ def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Ev
 
 
 def _moved(
-    cell: "BodyCell", frame: Frame, A: Complex, unknowns: Complex
+    cell: "BodyCell", frame: Frame, A: Complex, events: Complex, unknowns: Complex
 ) -> tuple[Complex, Matrix]:
     """Return the derivatives of system and events by switches and angle, at fixed unknowns."""
-    moving = Moving(frame, unknowns)
-    moved = np.zeros((len(A), len(frame.laws)), dtype=complex)
-    moved[: frame.waves, :-1] = moving.galerkin(A)
+    moving, (slow, fixing) = Moving(frame, unknowns), _fixing(cell, frame)
+    rows, moved = A[: frame.waves].copy(), np.zeros((len(A), len(frame.laws)), dtype=complex)
+    rows[slow] -= fixing @ events
+    moved[: frame.waves, :-1] = moving.galerkin(rows)
     moved[: frame.waves, -1] = -_driven(frame, frame.angles[0] + np.pi / 2)
     for block, weights, forms, q, side, _ in _statements(cell, frame):
         moved[block] -= weights @ moving.of(forms, q, side)
     phases = enumerate(frame.own.phases)
     shifted = np.vstack([moving.of(phase.event, p, 1) for p, phase in phases])
-    mean, fixing = _fixing(frame)
-    moved[mean] += fixing @ shifted
+    moved[slow] += fixing @ shifted
     return moved, shifted
 
 

@@ -10,7 +10,7 @@ from flint import acb, arb, arb_mat
 
 from ...arrays import Matrix
 from ...bodies.laws import places, scales
-from ...bodies.part import shifts
+from ...bodies.part import parts_of, shifts
 from ...bodies.switch import UNSEEN
 from .body import Balls, Body, balls, impulses, laws, solved
 
@@ -42,6 +42,14 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
         switches.append(_switch(cell, p, free, variables[places(cell.body.at.shape[1])[1]]))
     units = np.append(1 / scales(cell.body, cell.omega), np.ones(clock // 2))  # of places first
     _fix(switches, events, *(q[:clock] * units[:, None] for q in shifts(cell)))
+    if not cell.forced:  # by how much the motion is shifted in time; see `parts_of`
+        gradient = parts_of(cell)[-1].switch.gradient
+        shift, units = (
+            gradient / (gradient @ gradient),
+            np.append(units, np.ones(len(cell.memory))),
+        )
+        shifted = balls(np.insert(units * shift, [clock] * 3, 0.0))
+        switches[-1] -= shifted[:, None] * events[-1]
     whole = balls(np.eye(len(flows[0])))
     for flow, switch in zip(flows, switches, strict=True):
         whole = switch @ (flow @ whole)

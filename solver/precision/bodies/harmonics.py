@@ -8,6 +8,7 @@ import numpy as np
 from flint import acb, arb
 
 from ...bodies.force_series.layout import for_harmonics
+from ...bodies.harmonics.system import fixes
 from ...bodies.motion import Given
 from .body import Balls, Forms, balls, conjugate, real, solved, statements
 from .frame import Frame, of_real
@@ -43,11 +44,11 @@ def residual(given: Given, times: Any, R: Any) -> None:
 
 
 def _fixing(frame: Frame, p: int) -> Iterator[tuple[int, Any]]:
-    """Yield the rows of the mean forces, and factors of an event added to them, 0 on orbits."""
+    """Yield rows of forces, and factors of an event added to them, which is 0 on orbits."""
     phase = for_harmonics(frame.cell).phases[p]
     factors = balls(phase.fixing / np.diag(phase.direct)) / frame.count
     for h, turn in enumerate(frame.turns):
-        if turn.contains(0):
+        if fixes(frame.cell, turn):
             yield from enumerate(factors, h * len(factors))
 
 

@@ -1,0 +1,184 @@
+"""Bodies without a forcing, of which a mode is negatively damped, and a stop.
+
+At given durations their periodic motion may be shifted in time: equations that leave this open
+are singular on the orbit.  Against matrix exponentials.
+"""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.linalg import expm
+from scipy.optimize import brentq
+
+import nonsmooth as ns
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, v, x
+from nonsmooth.solver.scenes.case import Case
+
+g, r, k, d, V, static, kinetic, w = sp.symbols("g r k1 d V f_s f_k w_f", positive=True)
+K = np.array([[3.0, -2.0], [-2.0, 2.0]])
+C = np.array([[0.12, -0.1], [-0.1, 0.06]])
+REBOUND, STOP = 0.7, 5.0
+GAP = Parameter("gap", g, "m", 1.0, "way to the stop")
+
+#: Of ``X' = A X`` for q, q', 1: free, and at the stop.
+FREE = np.block([[np.zeros((2, 2)), np.eye(2)], [-K, -C]])
+TURN = np.diag([1.0, 1.0, 1.0, -REBOUND])
+
+
+@cache
+def impact() -> Case:
+    """Return two masses before a rigid stop."""
+    body = Body(M=np.eye(2), K=K, C=C, at={"end": [0, 1]})
+    end = body.at["end"]
+    flight = Phase(
+        "flight", end.force, Event(end.x - g, jump={end.v: -r * end.v}), {"before": g - end.x}
+    )
+    restitution = Parameter("restitution", r, "", REBOUND, "restitution", most=1)
+    return ns.scene(
+        Scene("loud-stop", "", (GAP, restitution), (flight,), body=body, scales={"length": g})
+    )()
+
+
+@cache
+def elastic() -> Case:
+    """Return two masses before an elastic stop."""
+    body = Body(M=np.eye(2), K=K, C=C, at={"end": [0, 1]})
+    end = body.at["end"]
+    meets = Event(end.x - g)
+    phases = (
+        Phase("touch", end.force + k * (end.x - g), meets, {"presses": end.x - g}),
+        Phase("free", end.force, meets, {"before": g - end.x}),
+    )
+    stop = Parameter("stop", k, "N/m", STOP, "stiffness of the stop")
+    return ns.scene(
+        Scene("loud-spring", "", (GAP, stop), phases, body=body, scales={"length": g})
+    )()
+
+
+def by_saltation(period: np.ndarray) -> np.ndarray:
+    """Return the moduli of the multipliers by a map, the trivial one first."""
+    moduli = np.sort(np.abs(np.linalg.eigvals(period)))[::-1]
+    return moduli[np.argsort(np.abs(moduli - 1), kind="stable")]
+
+
+@pytest.mark.parametrize("method", ["exact", "ck-tau", "hb", "hb-ck"])
+def test_a_rigid_stop(method: str) -> None:
+    """The period is a root of ``det(1 - J e^(A T))``: all else scales with the gap."""
+    off = lambda T: np.linalg.det(np.eye(4) - TURN @ expm(FREE * T))  # noqa: E731
+    T = brentq(off, 8.9, 9.4, xtol=1e-14)
+    found = ns.exact(impact()) if method == "exact" else ns.solve(impact(), method, 6)
+    assert found.period == pytest.approx(T, rel=1e-13)
+    start = np.linalg.svd(TURN @ expm(FREE * T) - np.eye(4))[2][-1]
+    before = expm(FREE * T) @ start
+    jump = FREE @ start - TURN @ FREE @ before
+    switch = TURN + np.outer(jump, [0, 1, 0, 0]) / before[3]
+    trivial, *others = by_saltation(switch @ expm(FREE * T))
+    assert trivial == pytest.approx(1.0, abs=1e-11)
+    if method == "exact":
+        assert np.abs(found.multipliers)[:1] == pytest.approx(others[:1], rel=1e-9)
+        assert found.stable
+
+
+@pytest.mark.parametrize("method", ["exact", "ck-tau", "hb", "hb-ck"])
+def test_an_elastic_stop(method: str) -> None:
+    """Its events and its period close by matrix exponentials."""
+    order = {"ck-tau": 16, "hb": 40, "hb-ck": 40}.get(method, 0)
+    found = ns.solve(elastic(), method, order) if order else ns.exact(elastic())
+    touch, free = (phase.duration for phase in ns.exact(elastic()).phases)
+    error = {"hb": 1e-4, "hb-ck": 1e-7}.get(method, 1e-12)
+    assert found.durations == pytest.approx((touch, free), rel=error)
+    pressed = np.zeros((5, 5))
+    pressed[:4, :4] = FREE
+    pressed[3, 1] -= STOP
+    pressed[3, 4] = STOP
+    before = np.zeros((5, 5))
+    before[:4, :4] = FREE
+    period = expm(before * free) @ expm(pressed * touch)
+    start = np.linalg.svd(np.vstack([period - np.eye(5), [0, 1, 0, 0, -1]]))[2][-1]
+    start /= start[4]
+    assert np.abs(period @ start - start).max() < 1e-12
+    assert [start[1], (expm(pressed * touch) @ start)[1]] == pytest.approx([1, 1], abs=1e-12)
+    assert found.stable
+
+
+def test_its_times_may_be_given() -> None:
+    orbit = ns.exact(elastic())
+    given = ns.exact(elastic(), durations=[q.duration for q in orbit.phases])
+    assert given.durations == pytest.approx(orbit.durations, rel=1e-13)
+
+
+def test_a_phase_that_hardly_lasts_is_no_orbit() -> None:
+    """At rest at the stop all equations hold to rounding."""
+    with pytest.raises(ns.NoOrbit, match="and rounding may be as much"):
+        ns.exact(impact(), durations=[4.4e-8])
+
+
+def test_a_body_of_one_mass_is_the_mass() -> None:
+    """A negatively damped one, with a damper behind an elastic stop."""
+    m, K1 = sp.symbols("m K", positive=True)
+    stop = Parameter("stop", k, "N/m", STOP, "stiffness of the stop")
+    damper = Parameter("damper", d, "N s/m", 0.1, "damper")
+    more = (
+        Parameter("mass", m, "kg", 1.0, "mass"),
+        Parameter("stiffness", K1, "N/m", 1.0, "stiffness"),
+    )
+    own = m * a - d * v + K1 * x
+    alone = (
+        Phase("touch", own + k * (x - g) + 8 * d * v, Event(x - g), {"presses": x - g}),
+        Phase("free", own, Event(x - g), {"before": g - x}),
+    )
+    body = Body(M=[[1.0]], K=[[1.0]], C=[[-0.1]], at={"end": [1]})
+    end = body.at["end"]
+    law = end.force + k * (end.x - g) + 8 * d * end.v
+    phases = (
+        Phase("touch", law, Event(end.x - g), {"presses": end.x - g}),
+        Phase("free", end.force, Event(end.x - g), {"before": g - end.x}),
+    )
+    numbers = (GAP, stop, damper)
+    mass = Scene("mass-alone", "", (*numbers, *more), alone, scales={"length": g})
+    as_body = Scene("mass-as-body", "", numbers, phases, body=body, scales={"length": g})
+    one, other = (ns.exact(ns.scene(q)()) for q in (mass, as_body))
+    assert other.durations == pytest.approx(one.durations, rel=1e-11)
+    assert other.multipliers[:1] == pytest.approx(one.multipliers[:1], rel=1e-8)
+
+
+def test_branches_along_a_stop() -> None:
+    """All lengths are proportional to the gap: the period is the same along it."""
+    found = ns.branch(impact(), "gap", 0.5, 2.0)
+    assert found.why_it_ended == ("the end of the range",) * 2
+    assert np.ptp([row.period for row in found.rows]) < 1e-11
+
+
+#: A mass on a belt, with another one behind it, at which a steady slip is stable too.
+BELT_K = np.array([[4.7, -2.83], [-2.83, 2.83]])
+BELT_C = np.array([[0.09, -0.046], [-0.046, 0.062]])
+
+
+@pytest.mark.parametrize(("belt", "asked"), [(0.6, None), (0.79, None), (0.79, "stick,slip")])
+def test_stick_and_slip_beside_a_steady_slip(belt: float, asked: str | None) -> None:
+    """In an order that the scene does not declare: it lists a phase that does not occur."""
+    body = Body(M=np.diag([0.448, 0.5075]), K=BELT_K, C=BELT_C, at={"c": [1, 0]})
+    c = body.at["c"]
+    phases = (
+        Phase(
+            "stick",
+            c.a,
+            Event(static - c.force, to="slip") | Event(c.force + static, to="over"),
+            {"holds": static - sp.Abs(c.force)},
+            held=V,
+        ),
+        Phase("slip", c.force - (kinetic - w * (V - c.v)), Event(c.v - V), {"slower": V - c.v}),
+        Phase("over", c.force + (kinetic - w * (c.v - V)), Event(c.v - V), {"faster": c.v - V}),
+    )
+    parameters = (
+        Parameter("belt", V, "m/s", 0.79, "speed of the belt"),
+        Parameter("static", static, "N", 1.0, "static friction"),
+        Parameter("kinetic", kinetic, "N", 0.301, "kinetic friction"),
+        Parameter("weakening", w, "N s/m", 0.043, "how it falls with the speed"),
+    )
+    case = ns.scene(Scene("two-on-a-belt", "", parameters, phases, body=body))(belt=belt)
+    found = ns.solve(case, order=16, phases=asked) if asked else ns.solve(case, order=16)
+    assert [phase.name for phase in found.phases] == ["stick", "slip"]
+    assert found.stable
