@@ -113,13 +113,14 @@ def flat(rows: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
 
     Examples
     --------
-    >>> flat([{"N": 3, "errors": {"T": 0.1}, "ends": {"x": (0, 1)}}, {"N": 4}])
-    {'N': [3, 4], 'error_T': [0.1, None], 'least_x': [0, None], 'largest_x': [1, None]}
+    >>> flat([{"N": 3, "errors": {"T": 0.1}, "ends": {"x": (0, 1)}}, {"ends": {"x": None}}])
+    {'N': [3, None], 'error_T': [0.1, None], 'least_x': [0, None], 'largest_x': [1, None]}
     """
     flattened = [dict(_leaves(row)) for row in rows]
     names = dict.fromkeys(name for row in flattened for name in row)
     empty = {n for n in names if all(row.get(n) is None for row in flattened)}
     whole = {n for n in empty if any(other.startswith(f"{n.rstrip('s')}_") for other in names)}
+    whole |= {n for n in empty if f"least_{n.partition('_')[2]}" in names}  # no pair there
     return {n: [row.get(n) for row in flattened] for n in names if n not in whole}
 
 

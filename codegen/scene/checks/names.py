@@ -20,7 +20,7 @@ TAKEN = frozenset(
 _COLUMNS = re.compile(
     r"acceleration|attractor|displacement|durations|followed|iterations|message|multipliers|"
     r"parameter|period|phase|scene|seconds|stable|status|strobe|t|value|velocity|"
-    r"(duration|strobe)_\d+|(error|estimate|extreme|largest|least)_\w+"
+    r"(duration|strobe)_\d+|(error|estimate|largest|least)_\w+"
 )
 
 #: Names of commands, which scenes must not have.
