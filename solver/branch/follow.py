@@ -40,9 +40,11 @@ CLOSES = -1
 CLOSED, RANGE = "the branch is closed", "the end of the range"
 TWICE = "the orbit becomes one of half its period"
 NO_STEP = "the step cannot get smaller"
+GROWS = "the orbit grows beyond all bounds"
 
-#: Size of an unknown, without units, at which an orbit is said to grow beyond all bounds.
-MOST = 1e8
+#: Size of an unknown, without units, at which an orbit is said to grow beyond all bounds; and
+#: of a state where no step succeeds.
+MOST, MUCH = 1e8, 1e4
 
 
 @dataclass(eq=False)
@@ -118,7 +120,7 @@ def follow(
             except ArithmeticError:
                 segment.why = _why_stuck(piece, place)
             if np.abs(place.y).max() > MOST:
-                segment.why = "the orbit grows beyond all bounds"
+                segment.why = GROWS
         if why == STUCK:
             (piece, place), length = _leapt(segment, piece, place), FIRST
     segment.why = segment.why or f"{most} orbits are the most that a branch has"
@@ -140,7 +142,7 @@ def _leapt(segment: Segment, piece: Piece, place: Place) -> tuple[Piece, Place]:
 
 
 def _why_stuck(piece: Piece, place: Place) -> str:
-    """Return why no step succeeds: the parameter is out of bounds ahead, or none is known."""
+    """Return why no step succeeds: what the parameter or the orbit is ahead, if known."""
     at, edge = piece.value(place.y), piece.bounds[int(place.tangent[-1] > 0)]
     if abs(at - edge) <= EQUAL * abs(edge):
         return RANGE
@@ -153,7 +155,7 @@ def _why_stuck(piece: Piece, place: Place) -> str:
             piece.course.cell(numbers)
         except ParameterError as error:
             return f"beyond, {error}"
-    return NO_STEP
+    return GROWS if np.abs(place.y[: piece.along.before]).max(initial=0.0) > MUCH else NO_STEP
 
 
 def _meets(

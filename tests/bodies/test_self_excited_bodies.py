@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from scipy.linalg import expm
-from scipy.optimize import brentq
+from scipy.optimize import brentq, fsolve
 
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, v, x
@@ -149,6 +149,32 @@ def test_branches_along_a_stop() -> None:
     found = ns.branch(impact(), "gap", 0.5, 2.0)
     assert found.why_it_ended == ("the end of the range",) * 2
     assert np.ptp([row.period for row in found.rows]) < 1e-11
+
+
+def test_where_the_stop_does_not_limit_it_an_orbit_grows_without_bound() -> None:
+    """There it does not know the gap: with none all its multiples are orbits."""
+    found = ns.branch(elastic(), "stop", 0.5, 6.0)
+    assert "the orbit grows beyond all bounds" in found.why_it_ended
+    end = min(found.rows, key=lambda row: row.extremes["displacement"][0])
+
+    def off(unknown: np.ndarray) -> np.ndarray:
+        (touch, free, stiffness), y = unknown[:3], unknown[3:]
+        pressed = FREE.copy()
+        pressed[3, 1] -= stiffness
+        met = expm(pressed * touch) @ y
+        return np.array([*(expm(FREE * free) @ met - y), y[1], met[1], y @ y - 1])
+
+    pressed = FREE.copy()
+    pressed[3, 1] -= end.value
+    period = expm(FREE * end.durations[1]) @ expm(pressed * end.durations[0])
+    start = np.linalg.svd(period - np.eye(4))[2][-1]
+    unknown, _, status, _ = fsolve(
+        off, [*end.durations, end.value, *start], xtol=1e-13, full_output=True
+    )
+    assert status == 1
+    assert np.abs(off(unknown)).max() < 1e-12
+    assert end.value == pytest.approx(unknown[2], rel=1e-4)
+    assert end.value != pytest.approx(unknown[2], rel=1e-12)
 
 
 #: A mass on a belt, with another one behind it, at which a steady slip is stable too.
