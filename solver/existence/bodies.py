@@ -5,6 +5,8 @@ one phase has a closed form: two solutions or none.  Two phases leave one functi
 duration, whose sign changes are scanned.  The scan uses the slow modes and the static response
 of the others; Newton's method refines each root with the whole body.
 
+Without a forcing one phase leaves one function of its duration, which is scanned as well.
+
 For more phases the first start is the linear response of the slow modes, which is quick.  If
 it does not lead to a stable orbit, starts on a grid follow: first those at which the events
 nearly vanish, then all others.
@@ -38,6 +40,10 @@ EVENLY, AT_ENDS = 160, 40
 
 #: Durations tried without a forcing, relative to the longest natural period.
 PARTS = (1.0, 0.7, 0.4, 0.2, 0.1)
+
+#: The longest duration in the scan of one phase without a forcing, relative to the same; how
+#: many there are in the shortest period of the slow modes, and the most of all.
+LONGEST, FINE, MOST = 3.0, 24, 6000
 
 #: Shortest duration in the scan, relative to the cell.
 SHORTEST = 1e-6
@@ -157,6 +163,8 @@ def slow(cell: BodyCell) -> BodyCell:
 def _starts(cell: BodyCell) -> Iterator[Iterable[RoughTimes]]:
     """Yield groups of starts, the likely ones first."""
     if not cell.forced:
+        if len(cell.phases) == 1:
+            yield _of_one_duration(slow(cell))
         yield _everywhere(cell)
     elif len(cell.phases) > 2:
         by_response = homotopy.from_linear_response(slow(cell))
@@ -188,10 +196,33 @@ def _likely(cell: BodyCell, unlikely: list[RoughTimes]) -> Iterator[RoughTimes]:
 
 def _everywhere(cell: BodyCell) -> Iterator[RoughTimes]:
     """Yield rough durations without a forcing, long and short relative to the slowest mode."""
-    slowest = 2 * np.pi / float(np.sqrt(np.abs(cell.body.squares).min() or 1.0))
+    slowest = _slowest(cell)
     for durations in product(PARTS, repeat=min(len(cell.phases), 2)):
         fractions = durations + (PARTS[-1],) * (len(cell.phases) - 2)
         yield RoughTimes(tuple(slowest * q for q in fractions), 0.0, "durations all around")
+
+
+def _slowest(cell: BodyCell) -> float:
+    """Return the longest natural period; of a mode without one, that of a frequency of 1."""
+    return 2 * np.pi / float(np.sqrt(np.abs(cell.body.squares).min() or 1.0))
+
+
+def _of_one_duration(cell: BodyCell) -> Iterator[RoughTimes]:
+    """Yield the durations of one phase without a forcing at which its event vanishes."""
+    longest, fastest = LONGEST * _slowest(cell), float(np.sqrt(np.abs(cell.body.squares).max()))
+    count = min(int(FINE * longest * fastest / (2 * np.pi)) + FINE, MOST)
+    durations = longest * np.arange(1, count + 1) / count
+
+    @np.errstate(all="ignore")  # the motion may grow beyond float64
+    def event(durations: Vector) -> Vector:
+        blocks = 1 + len(durations) * (2 * len(cell.body.squares)) ** 2 // ROOM
+        parts = np.array_split(durations[:, None], blocks)
+        return np.concatenate([events_by_wave(cell, q)[:, 0, 2] for q in parts])
+
+    i = np.flatnonzero(np.diff(np.sign(event(durations))))
+    roots = changes_of_sign(event, durations[i], durations[i + 1], HALVINGS) if len(i) else i
+    for root in map(float, roots):
+        yield RoughTimes((root,), 0.0, "a scan of the exact equations")
 
 
 def _angles(a: float, b: float, c: float) -> list[float]:

@@ -96,6 +96,8 @@ def violations(
     undetermined = _undetermined(orbit)
     if undetermined:
         return undetermined
+    if _is_still(orbit):
+        return ("nothing moves beyond rounding: it is a rest",)
     if unmet:
         reasons += _unmet(orbit, unmet)
         allowed = _with_unmet(orbit, allowed, unmet)
@@ -129,6 +131,14 @@ def _undetermined(orbit: Motion) -> tuple[str, ...]:
         for phase, s, change in zip(orbit.cell.phases, durations, moved, strict=False)
         if not change < unknown * s
     )
+
+
+def _is_still(orbit: Motion) -> bool:
+    """Whether a motion without a forcing is a rest, at which all equations hold to rounding."""
+    if orbit.cell.forced:
+        return False
+    places = np.array([orbit.part(p, LOOK, 0) for p in range(len(orbit.cell.phases))])
+    return bool(np.ptp(places) <= NOTHING * np.abs(places).max())
 
 
 def seen_violated(orbit: Motion) -> int:

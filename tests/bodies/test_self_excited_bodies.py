@@ -14,9 +14,10 @@ from scipy.optimize import brentq, fsolve
 
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, v, x
+from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.scenes.case import Case
 
-g, r, k, d, V, static, kinetic, w = sp.symbols("g r k1 d V f_s f_k w_f", positive=True)
+g, r, k, d, V, P, static, kinetic, w = sp.symbols("g r k1 d V P f_s f_k w_f", positive=True)
 K = np.array([[3.0, -2.0], [-2.0, 2.0]])
 C = np.array([[0.12, -0.1], [-0.1, 0.06]])
 REBOUND, STOP = 0.7, 5.0
@@ -113,6 +114,73 @@ def test_a_phase_that_hardly_lasts_is_no_orbit() -> None:
     """At rest at the stop all equations hold to rounding."""
     with pytest.raises(ns.NoOrbit, match="and rounding may be as much"):
         ns.exact(impact(), durations=[4.4e-8])
+
+
+RESTITUTION = Parameter("restitution", r, "", REBOUND, "restitution")
+
+
+@pytest.mark.parametrize("gap", [0.9999, 0.9995, 0.999, 0.998])
+def test_a_mass_that_is_pressed_on_a_stop_rests(gap: float) -> None:
+    """Bounces of ever less duration fulfil all equations to rounding."""
+    body = Body(M=[[1.0]], K=[[1.0]], C=[[-0.02]], at={"end": [1]})
+    end = body.at["end"]
+    meets = Event(end.x - g, jump={end.v: -r * end.v})
+    flight = Phase("flight", end.force - P, meets, {"before": g - end.x})
+    numbers = (GAP, RESTITUTION, Parameter("load", P, "N", 1.0, "load"))
+    made = Scene("pressed", "", numbers, (flight,), body=body, scales={"length": g})
+    with pytest.raises(ns.NoOrbit, match=r"a rest|rounding may be as much"):
+        ns.exact(ns.scene(made)(gap=gap, restitution=0.6))
+
+
+def test_a_stop_that_gives_energy() -> None:
+    """By the flight of a damped mass: its root in closed form."""
+    body = Body(M=[[1.0]], K=[[6.423153]], C=[[0.647723]], at={"end": [1]})
+    end = body.at["end"]
+    meets = Event(end.x + g, jump={end.v: -r * end.v})
+    flight = Phase("flight", end.force, meets, {"behind the stop": -g - end.x})
+    numbers = (GAP, RESTITUTION)
+    gain = ns.scene(Scene("gain", "", numbers, (flight,), body=body, scales={"length": g}))
+    found = ns.exact(gain(gap=0.2, restitution=1.404748))
+    assert found.stable
+    A = np.array([[0.0, 1.0], [-6.423153, -0.647723]])
+    turn = np.diag([1.0, -1.404748])
+    off = lambda T: np.linalg.det(np.eye(2) - turn @ expm(A * T))  # noqa: E731
+    assert found.period == pytest.approx(brentq(off, 1.1, 1.2, xtol=1e-14), rel=1e-12)
+
+
+def test_friction_that_balances_a_negative_damper() -> None:
+    """Half a period is one slide: amplitude and multiplier are in closed form."""
+    body = Body(M=[[1.0]], K=[[1.0]], C=[[-0.1]], at={"c": [1]})
+    c = body.at["c"]
+    slide = Phase("slide", c.force + w * g, Event(c.v), {"forward": c.v})
+    numbers = (GAP, Parameter("friction", w, "N/m", 1.0, "friction over the length"))
+    made = Scene(
+        "balanced", "", numbers, (slide,), body=body, half_period=True, scales={"length": g}
+    )
+    found = ns.exact(ns.scene(made)())
+    rate = np.sqrt(1 - 0.05**2)
+    growth = np.exp(0.05 * np.pi / rate)
+    assert found.period == pytest.approx(2 * np.pi / rate, rel=1e-12)
+    amplitude = (growth + 1) / (growth - 1)
+    assert found.extremes["displacement"] == pytest.approx((-amplitude, amplitude), rel=1e-10)
+    assert [abs(q) for q in found.multipliers] == pytest.approx([growth**2], rel=1e-9)
+
+
+def test_orbits_of_a_clock_that_coexist() -> None:
+    """All durations of its one phase are found by a scan."""
+    body = Body(M=np.eye(2), K=K, C=0.1 * np.eye(2), at={"end": [0, 1]})
+    end = body.at["end"]
+    kicked = Event(end.x, jump={end.v: end.v + g / d}, demands={"forward": end.v})
+    swing = Phase("swing", end.force, kicked)
+    numbers = (GAP, Parameter("unit", d, "s", 1.0, "unit of time"))
+    made = Scene("clock", "", numbers, (swing,), body=body, scales={"length": g})
+    clock = ns.scene(made)(gap=0.3)
+    periods = sorted(orbit.period for orbit in known_orbits(clock) if orbit.stable)
+    A = np.block([[np.zeros((2, 2)), np.eye(2)], [-K, -0.1 * np.eye(2)]])
+    for T, about in zip(periods, (2.92288, 9.48188), strict=True):
+        assert about - 1e-5 < T < about + 1e-5
+        start = np.linalg.solve(np.eye(4) - expm(A * T), [0, 0, 0, 0.3])
+        assert abs((expm(A * T) @ start)[1]) < 1e-12
 
 
 def test_a_body_of_one_mass_is_the_mass() -> None:
