@@ -255,7 +255,7 @@ class Piece:
 
     def admits(self, place: Place) -> bool:
         """Whether an orbit is admissible, by its monitors and by the checks of a solver."""
-        if (place.monitors[: -walk.OWN] < 0).any():
+        if (place.monitors[: -walk.OWN] < -walk.LOST).any():
             return False
         orbit = self.orbit(place.y)
         return orbit is None or (orbit.outcome.converged and orbit.admissible)

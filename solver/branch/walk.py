@@ -35,6 +35,9 @@ DIP = 1e-3
 #: Distance of multipliers from a bifurcation that is rounding, as without damping.
 NEUTRAL = 1e-9
 
+#: Size of a watched form, without units, that is rounding.
+LOST = 1e-12
+
 # Why a walk ends: the arrays are full; an event happens in the last step, or the parameter
 # leaves its interval; the step cannot get smaller; an unknown has outgrown its scale.
 FULL, EVENT, STUCK, GROWN = 0, 1, 2, 3
@@ -110,10 +113,11 @@ def tangent_and_monitors(
 def happens(before: float, after: float, i: int) -> bool:
     """Whether monitor `i` shows an event in a step; `i` is counted from the first of `OWN`.
 
-    Forms and durations (negative `i`) do where they fall below zero.
+    Forms and durations (negative `i`) do where they fall below zero, but for one that is zero
+    all along: of contacts that switch together.
     """
     if i < 0:
-        return after < 0 and not before < 0
+        return after < 0 and not before < 0 and max(abs(before), abs(after)) > LOST
     if i == OUTSIDE:
         return abs(after - before) > 0
     return i != PAIRS and before * after < 0 and min(abs(before), abs(after)) > NEUTRAL

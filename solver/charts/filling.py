@@ -23,6 +23,7 @@ from ..branch.extended import (
     newton_step,
     residual_and_jacobian,
 )
+from ..branch.walk import LOST
 from ..branch.watch import watched
 from ..iteration.iteration import scale_rows
 from ..iteration.linear import factorise
@@ -118,7 +119,7 @@ def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> b
     count, before = len(case[0]), plane[5]
     values, nothing = np.empty((len(table), 3)), np.empty((0, 2))
     watched(case, table, z, values, nothing)
-    if (values < 0).any() or not (z[before : before + count] >= 0).all():
+    if (values < -LOST).any() or not (z[before : before + count] >= 0).all():
         return False
     reached, speed = end_rates(case, z), 0.0
     for p in range(len(reached)):

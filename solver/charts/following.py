@@ -146,6 +146,8 @@ def pinned(
             solve_factorised(J, rows, across)
             across /= sqrt(np.dot(across, across))
             slope = slope_of(plane, table, monitor, y, units, across)
+            if slope == 0:  # a form that is zero everywhere
+                return False, across, across
         step = np.zeros(n)
         residual_along(row_of(plane, y[n - 1]), y[: n - 2], y[n - 2], step[: n - 2])
         step /= scales

@@ -431,6 +431,53 @@ def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> N
             assert np.abs(ends - np.exp(1j * angle)).min() <= 1e-9
 
 
+@cache
+def twins() -> LoadedScene:
+    """Return two equal masses before equal stops, which they meet together."""
+    omega, g, k, F = sp.symbols("Omega g k F", positive=True)
+    K = sp.Matrix([[2, -1], [-1, 2]])
+    at = {"one": [1, 0], "other": [0, 1]}
+    body = Body(M=sp.eye(2), K=K, C=K / 20, forcing=[F, F], at=at)
+    one, other = body.at.values()
+    ends = Event(one.x - g) | Event(other.x - g)
+
+    def phase(name: str, *on: int) -> Phase:
+        pressed = list(zip((one, other), on, strict=True))
+        laws = tuple(q.force + k * (q.x - g) * there for q, there in pressed)
+        demands = {q.name: (q.x - g) * (2 * there - 1) for q, there in pressed}
+        return Phase(name, laws, ends, demands)
+
+    own = parameters(
+        stop=(k, "N/m", 5.0), gap=(g, "m", 0.3), force=(F, "N", 0.5),
+        frequency=(omega, "rad/s", 0.7),
+    )  # fmt: skip
+    phases = phase("off", 0, 0), phase("first", 1, 0), phase("second", 0, 1), phase("on", 1, 1)
+    return scene_of("twins", own, *phases, body=body)
+
+
+def test_contacts_that_always_switch_together_are_as_one() -> None:
+    """The branch is that of one of the masses, whose spring to the other does not matter."""
+    found = ns.branch(twins()(), "frequency", 0.56, 0.84)
+    alone = ns.scene("clearance")(
+        mass=1, damping=0.05, stiffness=1, contact_stiffness=5, gap=0.3, force=0.5
+    )
+    expected = ns.branch(alone, "frequency", 0.56, 0.84)
+    assert found.why_it_ended == expected.why_it_ended == ("the end of the range",) * 2
+    assert [q.kind for q in found.events] == [q.kind for q in expected.events]
+    values = [event.parameter for event in expected.events]
+    assert [event.parameter for event in found.events] == pytest.approx(values, rel=1e-11)
+
+
+def test_a_map_of_contacts_that_always_switch_together(monkeypatch) -> None:
+    monkeypatch.setattr(chart, "LINES", 2)
+    monkeypatch.setattr(lines, "VALUES", 2)
+    axes = {"frequency": (0.69, 0.71, 2), "force": (0.49, 0.51, 2)}
+    found = ns.chart(twins()(), axes)
+    assert found.motion == [["off,on"] * 2] * 2
+    assert found.stable.tolist() == [[1, 1], [1, 1]]
+    assert not found.curves
+
+
 def test_where_a_second_contact_ends_the_linear_response_is_beyond() -> None:
     """Whatever the first contact does there: that mass does not reach its stop."""
     case_of_two = apart()(fixed=5.0)
