@@ -117,7 +117,8 @@ def happens(before: float, after: float, i: int) -> bool:
     all along: of contacts that switch together.
     """
     if i < 0:
-        return after < 0 and not before < 0 and max(abs(before), abs(after)) > LOST
+        is_lost = abs(before) <= LOST and abs(after) <= LOST  # not if one is none
+        return after < 0 and not before < 0 and not is_lost
     if i == OUTSIDE:
         return abs(after - before) > 0
     return i != PAIRS and before * after < 0 and min(abs(before), abs(after)) > NEUTRAL
