@@ -432,27 +432,35 @@ def test_two_contacts_that_switch_at_once_do_so_in_the_other_order_beyond() -> N
 
 
 @cache
-def twins() -> LoadedScene:
-    """Return two equal masses before equal stops, which they meet together."""
+def twins(says: bool = False) -> LoadedScene:
+    """Return two equal masses before equal stops, which they meet together.
+
+    Each event `says` which phase follows it, or demands decide.
+    """
     omega, g, k, F = sp.symbols("Omega g k F", positive=True)
     K = sp.Matrix([[2, -1], [-1, 2]])
     at = {"one": [1, 0], "other": [0, 1]}
     body = Body(M=sp.eye(2), K=K, C=K / 20, forcing=[F, F], at=at)
     one, other = body.at.values()
-    ends = Event(one.x - g) | Event(other.x - g)
+    names = {(0, 0): "off", (1, 0): "first", (0, 1): "second", (1, 1): "on"}
 
-    def phase(name: str, *on: int) -> Phase:
+    def phase(*on: int) -> Phase:
+        to = names[1 - on[0], on[1]], names[on[0], 1 - on[1]]
+        first, second = (
+            Event(q.x - g, to=then) if says else Event(q.x - g)
+            for q, then in zip((one, other), to, strict=True)
+        )
         pressed = list(zip((one, other), on, strict=True))
         laws = tuple(q.force + k * (q.x - g) * there for q, there in pressed)
         demands = {q.name: (q.x - g) * (2 * there - 1) for q, there in pressed}
-        return Phase(name, laws, ends, demands)
+        return Phase(names[on], laws, first | second, demands)
 
     own = parameters(
         stop=(k, "N/m", 5.0), gap=(g, "m", 0.3), force=(F, "N", 0.5),
         frequency=(omega, "rad/s", 0.7),
     )  # fmt: skip
-    phases = phase("off", 0, 0), phase("first", 1, 0), phase("second", 0, 1), phase("on", 1, 1)
-    return scene_of("twins", own, *phases, body=body)
+    phases = (phase(*on) for on in names)
+    return scene_of(f"twins{'-that-say' * says}", own, *phases, body=body)
 
 
 def test_contacts_that_always_switch_together_are_as_one() -> None:
@@ -466,6 +474,12 @@ def test_contacts_that_always_switch_together_are_as_one() -> None:
     assert [q.kind for q in found.events] == [q.kind for q in expected.events]
     values = [event.parameter for event in expected.events]
     assert [event.parameter for event in found.events] == pytest.approx(values, rel=1e-11)
+
+
+def test_events_that_say_what_follows_may_be_met_together() -> None:
+    said, not_said = (ns.exact(twins(says)()) for says in (True, False))
+    assert [phase.name for phase in said.phases] == ["off", "on"]
+    assert said.durations == pytest.approx(not_said.durations, rel=1e-13)
 
 
 def test_a_map_of_contacts_that_always_switch_together(monkeypatch) -> None:

@@ -99,6 +99,25 @@ def closed(orbit) -> tuple[np.ndarray, np.ndarray]:
     return np.abs(errors).max(), min(limits)
 
 
+def test_equal_joints_that_are_driven_alike_give_way_together(tmp_path: Path) -> None:
+    """Each mass moves as one on an elastic-plastic element; no spring between them matters."""
+    text = FILE.read_text().replace("[2, -1], [-1, 1]", "[2, -1], [-1, 2]")
+    text = text.replace("forcing=[0, F]", "forcing=[F, F]").replace(
+        "two-joints", "equal-joints"
+    )
+    path = tmp_path / "equal_joints.py"
+    path.write_text(text)
+    frame = ns.scene(path)(joint_stiffness=2.0, low_friction=0.15, top_friction=0.15, force=0.5)
+    alone = ns.scene("elastic-plastic")(
+        damping=0.05, stiffness=2, yield_force=0.15, hardening=1, force=0.5, frequency=0.6
+    )
+    expected, found = ns.exact(alone), ns.exact(frame)
+    held, slips = (phase.duration for phase in expected.phases[:2])
+    assert [phase.name.split("_")[0] for phase in found.phases] == ["stick", "both"] * 2
+    assert found.durations == pytest.approx([held, slips] * 2, rel=1e-11)
+    assert found.stable
+
+
 @pytest.mark.parametrize(
     "values",
     [

@@ -154,6 +154,20 @@ def jumps_at(rules: Rules, p: int, surface: int) -> int:
     return ending if ending != NONE and rules.phases.laws.jumps[ending] else NONE
 
 
+def is_met(rules: Rules, p: int, row: int, state: BodyState) -> bool:
+    """Whether a phase ends in a state by the event of a row, to rounding, without a jump.
+
+    Rounding is that of the whole state: all velocities may vanish with that of a contact.
+    """
+    surface, Y, form = int(rules.surfaces[row]), full_of(state), rules.forms[row]
+    if rules.endings[p, surface] == NONE or jumps_at(rules, p, surface) != NONE:
+        return False
+    factors, largest = 0.0, 0.0
+    for i in range(len(form)):
+        factors, largest = factors + abs(float(form[i])), max(largest, abs(float(Y[i])))
+    return abs(value_of(form, Y)) <= NOISE * factors * largest
+
+
 def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
     """Return the state behind the switch, from the state where the form of a row vanishes."""
     surface = int(rules.surfaces[row])

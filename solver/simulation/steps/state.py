@@ -151,6 +151,17 @@ def may_switch(rules: Rules, p: int, before: State) -> bool:
     return True
 
 
+def is_met(rules: Rules, p: int, row: int, state: State) -> bool:
+    """Whether a phase ends in a state by the event of a row, to rounding, without a jump."""
+    surface = int(rules.surfaces[row])
+    if rules.endings[p, surface] == NONE or law(rules, p, surface) != (1.0, 0.0):
+        return False
+    ex, ev, ec, constant = form_of(rules, row, state.memory)
+    of_x, of_v, of_cos = ex * state.x, ev * state.v, ec * cos(state.angle)
+    size = abs(of_x) + abs(of_v) + abs(of_cos) + abs(constant)
+    return abs(of_x + of_v + of_cos + constant) <= NOISE * size
+
+
 def law(rules: Rules, p: int, surface: int) -> tuple[float, float]:
     """Return rho and d of the switch on a surface, ``v -> rho v + d``; 1 and 0 if none."""
     ending = rules.endings[p, surface]

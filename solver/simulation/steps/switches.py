@@ -12,7 +12,17 @@ well: the functions that look into a state are in `state`, or in `bodies.state`.
 from . import column
 from .column import NONE
 from .rules import Rules
-from .state import AnyState, begun, entered, local_of, may_be_held, may_switch, sets, sign_of
+from .state import (
+    AnyState,
+    begun,
+    entered,
+    is_met,
+    local_of,
+    may_be_held,
+    may_switch,
+    sets,
+    sign_of,
+)
 
 
 def admits(rules: Rules, p: int, state: AnyState) -> bool:
@@ -37,7 +47,44 @@ def first_phase(rules: Rules, state: AnyState) -> int:
 def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyState) -> int:
     """Return the phase that follows phase p, which ended on a surface; `NONE` if none does.
 
-    `state` is the state behind the switch.  The first phase that the scene declares to follow
+    `state` is the state behind the switch.  Where none does, another event may be met there:
+    then the phase between, of no duration, is left out.
+    """
+    found = single_next(rules, p, surface, before, state)
+    ended = NONE if surface == NONE else int(rules.endings[p, surface])
+    for q in rules.turns[ended]:
+        if found != NONE:
+            break
+        if q == NONE or (sets(rules, NONE, q) and not (rules.declared[ended] == q).any()):
+            continue
+        between = entered(rules, p, int(q), state)
+        row = met_at_once(rules, int(q), between)
+        if row != NONE:
+            met = int(rules.surfaces[row])
+            found = single_next(rules, int(q), met, between, between)
+    return found
+
+
+def met_at_once(rules: Rules, p: int, state: AnyState) -> int:
+    """Return the row of the event by which a phase ends where it begins; `NONE` if none.
+
+    It is the one demand that does not hold behind the state.
+    """
+    if rules.kinds[p, column.HELD] != 0 and not may_be_held(rules, p, state):
+        return NONE
+    at, found = local_of(rules, p, state), NONE
+    for row in range(rules.kinds[p, column.ROW] + 1, rules.kinds[p, column.AT_SWITCH]):
+        if sign_of(rules, at, row, state) < 0:
+            if found != NONE or not is_met(rules, p, row, state):
+                return NONE
+            found = row
+    return found
+
+
+def single_next(rules: Rules, p: int, surface: int, before: AnyState, state: AnyState) -> int:
+    """Return the phase that follows phase p where no other event is met; `NONE` if none does.
+
+    The first phase that the scene declares to follow
     is skipped if the state `before` the switch violates a demand of the event.  Where demands
     and events alone decide, none follows if phases of two laws could.
     """
