@@ -53,7 +53,7 @@ def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyS
     found = single_next(rules, p, surface, before, state)
     ended = NONE if surface == NONE else int(rules.endings[p, surface])
     for q in rules.turns[ended]:
-        if found != NONE:
+        if found != NONE or follows(rules, p, ended, int(q), state):  # or it is undecided
             break
         if q == NONE or (sets(rules, NONE, q) and not (rules.declared[ended] == q).any()):
             continue
