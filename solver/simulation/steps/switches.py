@@ -51,10 +51,13 @@ def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyS
     then the phase between, of no duration, is left out.
     """
     found = single_next(rules, p, surface, before, state)
+    if found != NONE:
+        return found
     ended = NONE if surface == NONE else int(rules.endings[p, surface])
     for q in rules.turns[ended]:
-        if found != NONE or follows(rules, p, ended, int(q), state):  # or it is undecided
-            break
+        if follows(rules, p, ended, int(q), state):  # it is not decided which
+            return NONE
+    for q in rules.turns[ended]:
         if q == NONE or (sets(rules, NONE, q) and not (rules.declared[ended] == q).any()):
             continue
         between = entered(rules, p, int(q), state)
@@ -62,6 +65,8 @@ def next_phase(rules: Rules, p: int, surface: int, before: AnyState, state: AnyS
         if row != NONE:
             met = int(rules.surfaces[row])
             found = single_next(rules, int(q), met, between, between)
+        if found != NONE:
+            break
     return found
 
 
