@@ -89,9 +89,9 @@ def met_at_once(rules: Rules, p: int, state: AnyState) -> int:
 def single_next(rules: Rules, p: int, surface: int, before: AnyState, state: AnyState) -> int:
     """Return the phase that follows phase p where no other event is met; `NONE` if none does.
 
-    The first phase that the scene declares to follow
-    is skipped if the state `before` the switch violates a demand of the event.  Where demands
-    and events alone decide, none follows if phases of two laws could.
+    The first phase that the scene declares to follow is skipped if the state `before` the
+    switch violates a demand of the event.  Where demands and events alone decide, none follows
+    if phases of two laws could.
     """
     ended = NONE if surface == NONE else int(rules.endings[p, surface])
     switches = ended == NONE or may_switch(rules, ended, before)
