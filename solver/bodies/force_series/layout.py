@@ -273,14 +273,19 @@ def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
     They are added to the constant and the linear terms of the laws: a constant alone does no
     work on a motion with the same velocities out and back.
     """
-    directions, rows = shifts(cell)[0], lawful(cell, p).rows
+    directions, moved = shifts(cell)[0], np.zeros(poles.b.shape[1])
+    is_unheld = directions.size > 0 and poles.held is not None
+    closes = not cell.forced and p == len(cell.phases) - 1
+    if not (is_unheld or closes):
+        return moved
+    rows = lawful(cell, p).rows
     event = switch(cell, p, rows).gradient
-    springs, moved = held_by(cell.body, cell.omega).springs, np.zeros(poles.b.shape[1])
+    springs = held_by(cell.body, cell.omega).springs
     places_ = rows[places(len(springs))[0], : 2 * len(cell.body.squares)]
-    if directions.size and poles.held is not None:
+    if is_unheld:
         by_event = places_ @ directions[: places_.shape[1]]
         moved += (by_event @ np.linalg.pinv((event @ directions)[None]))[:, 0]
-    if not cell.forced and p == len(cell.phases) - 1:
+    if closes:
         moved += np.linalg.norm(places_, axis=1) / np.linalg.norm(event)
     return springs * moved
 
