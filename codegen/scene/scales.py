@@ -61,7 +61,8 @@ def _of_body(scene: SceneData, mass: sp.Expr | None) -> Sizes:
     if "forcing" in body.arrays:
         squares = (sp.sympify(q) ** 2 for q in body.arrays["forcing"].values)
         force = sp.simplify(sp.sqrt(sp.Add(*squares)))
-    return mass, sp.sqrt(mass / _at_contact(body, "K")), force
+    stiffness = _at_contact(body, "K")
+    return mass, None if stiffness == 0 else sp.sqrt(mass / stiffness), force
 
 
 def _at_contact(body: Body, name: str) -> sp.Expr:

@@ -103,9 +103,12 @@ def places(contacts: int) -> tuple[list[int], list[int], list[int], list[int]]:
 
 
 def scales(body: Modal, omega: float) -> Vector:
-    """Return the frequency by which each mode is scaled, a smooth function of parameters."""
+    """Return the frequency by which each mode is scaled, a smooth function of parameters.
+
+    A body without a forcing and without springs has none of its own: the unit is taken.
+    """
     frequencies = np.sqrt(np.abs(body.squares))
-    return np.hypot(frequencies, omega or SLOWEST * float(frequencies.max()))
+    return np.hypot(frequencies, omega or SLOWEST * float(frequencies.max()) or 1.0)
 
 
 @lru_cache(maxsize=64)

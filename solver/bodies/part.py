@@ -49,8 +49,9 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     """Return the phases of a cell.
 
     Without a forcing a motion may be shifted in time.  Where the force of a contact does not
-    jump, periodicity at given durations does not determine by how much: its equations are
-    singular on the orbit.  So the last switch shifts the state to the surface of its event.
+    jump, periodicity at given durations does not determine by how much; where only impulses
+    act, it does not determine how fast the motion is.  Its equations are then singular on the
+    orbit.  So each switch shifts the state to the surface of its event; see `onto_event`.
 
     Raises
     ------
@@ -61,8 +62,19 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     switches = [switch(cell, p, law.rows) for p, law in enumerate(laws)]
     closing = fixed(switches, *shifts(cell))
     if not cell.forced:
-        closing[-1] = closing[-1].fixing(*[closing[-1].gradient[:, None]] * 2)
+        closing = [q.fixing(*onto_event(q)) for q in closing]
     return tuple(map(Part, laws, switches, closing, [cell.omega] * len(laws)))
+
+
+def onto_event(each: Switch) -> tuple[Matrix, Matrix]:
+    """Return the directions of a shift of the state that any motion without a forcing needs.
+
+    By column, before a switch and behind it, for `Switch.fixing`: the gradient of the event;
+    and that with places and velocities exchanged added to it, as either may be left open.
+    """
+    event, states = each.gradient, each.states
+    exchanged = np.append(np.roll(event[:states], states // 2), event[states:])
+    return event[:, None], (event + exchanged)[:, None]
 
 
 @lru_cache(maxsize=32)

@@ -65,7 +65,7 @@ class Shown:
                 ):
                     own[letter if one else f"{letter}_{name}_{other}"] = matrix[c, d]
         self.values |= own
-        self.forced, self.contacts = cell.forced, names
+        self.forced, self.sign, self.contacts = cell.forced, cell.sign, names
         self.phases = (
             layout(cell, order) if method == "ck-tau" else for_harmonics(cell)
         ).phases
@@ -111,7 +111,7 @@ class Shown:
     def rows(self) -> tuple[list[complex], list[complex]]:
         """Return the values of the events, and of all other conditions, row by row.
 
-        With what the solver adds: to a force without a forcing a multiple of the last event.
+        With what the solver adds: to a force without a forcing multiples of the events.
         """
         rows = []
         for q in self.record.conditions:
@@ -122,22 +122,24 @@ class Shown:
                 rows.append((q.name, i, value))
         events = [value for name, _, value in rows if name.startswith("event")]
         others = [
-            value + self._added(name, i) * events[-1]
+            value + self._added(name, i) @ events
             for name, i, value in rows
             if not name.startswith("event")
         ]
         return events, others
 
-    def _added(self, name: str, i: int) -> float:
-        """Return the factor of the last event in a row of the solver; see `layout._fixing`."""
+    def _added(self, name: str, i: int) -> np.ndarray:
+        """Return the factors of the events in a row of the solver; see `layout._fixing`."""
+        count = len(self.phases)
         if self.forced or not name.startswith(("law", "harmonic")):
-            return 0.0
-        last, contact = self.phases[-1], name.split("_")[1]
-        c = self.contacts.index(contact)
+            return np.zeros(count)
+        c = self.contacts.index(name.split("_")[1])
         if name.startswith("law"):
-            is_last = name.endswith(f"_{len(self.phases) - 1}")
-            return float(last.fixing[c]) if is_last and i < 2 else 0.0
-        return float(last.fixing[c] / last.direct[c, c]) / len(self.phases) * (abs(i) == 1)
+            own = [name.endswith(f"_{p}") and i < 2 for p in range(count)]
+            return np.array([phase.fixing[c] for phase in self.phases]) * own
+        by_law = [phase.fixing[c] / phase.direct[c, c] for phase in self.phases]
+        turn = i * (np.pi if self.sign < 0 else 2 * np.pi)
+        return by_law * np.exp(-1j * turn * np.arange(count) / count) / count * (abs(i) == 1)
 
     def of(self, e: sp.Expr, at: dict[sp.Expr, Any]) -> complex:
         """Return the value of an expression at values of its indices."""

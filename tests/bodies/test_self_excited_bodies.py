@@ -13,8 +13,10 @@ from scipy.linalg import expm
 from scipy.optimize import brentq, fsolve
 
 import nonsmooth as ns
+from nonsmooth.codegen.scene import SceneError
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, v, x
 from nonsmooth.solver.existence.known import known_orbits
+from nonsmooth.solver.precision import digits
 from nonsmooth.solver.scenes.case import Case
 
 g, r, k, d, V, P, static, kinetic, w = sp.symbols("g r k1 d V P f_s f_k w_f", positive=True)
@@ -276,3 +278,70 @@ def test_stick_and_slip_beside_a_steady_slip(belt: float, asked: str | None) -> 
     found = ns.solve(case, order=16, phases=asked) if asked else ns.solve(case, order=16)
     assert [phase.name for phase in found.phases] == ["stick", "slip"]
     assert found.stable
+
+
+def between_walls(K: list, C: list) -> Case:
+    """Return free masses, of which the first bounces to and fro between two walls."""
+    body = Body(M=np.eye(len(K)), K=K, C=C, at={"first": np.eye(len(K))[0]})
+    first = body.at["first"]
+    hit = {first.v: -r * first.v}
+    flight = Phase(
+        "flight",
+        first.force,
+        Event(first.x - g, jump=hit) | Event(first.x + g, jump=hit),
+        {"between the walls": g - sp.Abs(first.x)},
+    )
+    scales = {"length": g, "time": 1.0}
+    walls = Scene("walls", "", (GAP, RESTITUTION), (flight,), body=body, scales=scales)
+    return ns.scene(walls)()
+
+
+@pytest.mark.parametrize("method", ["exact", "ck-tau"])
+def test_a_free_mass_that_drives_itself_between_walls(method: str) -> None:
+    """It is its own speed that periodicity leaves open: r times its growth is 1."""
+    case = between_walls([[0.0]], [[-0.2]])
+    found = ns.exact(case) if method == "exact" else ns.solve(case, method, 10)
+    assert found.period == pytest.approx(2 * np.log(1 / REBOUND) / 0.2, rel=1e-13)
+    fastest = 2 * 0.2 / (1 - REBOUND)
+    assert found.extremes["velocity"] == pytest.approx((-fastest, fastest), rel=1e-11)
+    assert [abs(q) for q in found.multipliers] == pytest.approx([REBOUND**2], rel=1e-9)
+
+
+@pytest.mark.parametrize("method", ["exact", "ck-tau", "hb-ck"])
+def test_free_masses_that_drive_themselves_between_walls(method: str) -> None:
+    """Their place and their speed are left open; both walls are hit twice in a row."""
+    C = [[0.1, -0.3], [-0.3, 0.3]]
+    case = between_walls([[5.0, -5.0], [-5.0, 5.0]], C)
+    orbit = ns.exact(case)
+    found = orbit if method == "exact" else ns.solve(case, method, 40)
+    error = 2e-3 if method == "hb-ck" else 1e-12
+    assert found.durations == pytest.approx(orbit.durations, rel=error)
+    A = np.zeros((5, 5))
+    A[:2, 2:4], A[2:4, :2], A[2:4, 2:4] = np.eye(2), [[-5, 5], [5, -5]], -np.array(C)
+    turn, place, rows = np.diag([1.0, 1.0, -REBOUND, 1.0, 1.0]), np.eye(5), []
+    for phase in orbit.phases:
+        place = expm(A * phase.duration) @ place
+        rows.append(place[0] + [0, 0, 0, 0, 1 if phase.name == "flight_by_2" else -1])
+        place = turn @ place
+    *_, sizes, directions = np.linalg.svd(np.vstack([place - np.eye(5), *rows]))
+    assert sizes[-1] < 1e-12
+    assert sizes[-2] > 1e-3
+    assert abs(directions[-1][4]) > 1e-3
+    assert [q.name for q in orbit.phases] == [*["flight"] * 2, *["flight_by_2"] * 2]
+    assert found.stable
+
+
+def test_their_times_in_balls() -> None:
+    case = between_walls([[0.0]], [[-0.2]])
+    for kept in digits.at("", case, (10,), ("hb-ck", "ck-tau")):
+        assert kept.status == "ok", kept
+        assert kept.error < 1e-14, kept
+
+
+def test_a_free_mass_has_no_time_of_its_own() -> None:
+    body = Body(M=[[1.0]], K=[[0.0]], C=[[-0.2]], at={"end": [1]})
+    end = body.at["end"]
+    flight = Phase("flight", end.force, Event(end.x - g, jump={end.v: -r * end.v}))
+    numbers = (GAP, RESTITUTION)
+    with pytest.raises(SceneError, match="scales: no time can be worked out"):
+        Scene("walls", "", numbers, (flight,), body=body, scales={"length": g})

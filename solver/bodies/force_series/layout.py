@@ -107,6 +107,8 @@ class Layout:
         for p, phase in enumerate(self.phases):
             if varies[p * contacts : (p + 1) * contacts].any():
                 phase.degree, phase.pieces = _pieces(order)
+            elif p < len(self.phases) - 1:  # the others suffice
+                phase.fixing = np.zeros(contacts)
             elif phase.fixing.any():  # a constant force all the time would move nothing
                 phase.degree = 1
             for piece in range(1, 1 + phase.pieces):
@@ -268,15 +270,14 @@ def setting(cell: "BodyCell", order: int) -> Setting:
 def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
     """Return spring forces at the contacts, per unit of the event at the end of a phase.
 
-    They determine displacements that nothing else does; of the last phase also, without a
-    forcing, by how much a motion is shifted in time.  They are 0 on an orbit; see `parts_of`.
+    They determine displacements that nothing else does; without a forcing also by how much a
+    motion is shifted in time, and how fast it is.  They are 0 on an orbit; see `parts_of`.
     They are added to the constant and the linear terms of the laws: a constant alone does no
     work on a motion with the same velocities out and back.
     """
     directions, moved = shifts(cell)[0], np.zeros(poles.b.shape[1])
     is_unheld = directions.size > 0 and poles.held is not None
-    closes = not cell.forced and p == len(cell.phases) - 1
-    if not (is_unheld or closes):
+    if cell.forced and not is_unheld:
         return moved
     rows = lawful(cell, p).rows
     event = switch(cell, p, rows).gradient
@@ -285,7 +286,7 @@ def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
     if is_unheld:
         by_event = places_ @ directions[: places_.shape[1]]
         moved += (by_event @ np.linalg.pinv((event @ directions)[None]))[:, 0]
-    if closes:
+    if not cell.forced:
         moved += np.linalg.norm(places_, axis=1) / np.linalg.norm(event)
     return springs * moved
 

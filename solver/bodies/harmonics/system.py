@@ -145,23 +145,27 @@ def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, 
     return A, right, events, constants
 
 
-def _fixing(cell: "BodyCell", frame: Frame) -> tuple[Indices, Matrix]:
+def _fixing(cell: "BodyCell", frame: Frame) -> tuple[Indices, Complex]:
     """Return the indices of rows of forces, and the factors of the events added to them.
 
-    They vanish on an orbit; see `layout.Phase`.  With a forcing the rows are those of the mean
-    forces; without one, of the first harmonics, which shift a motion in time.
+    They vanish on an orbit; see `layout.Phase`.  The rows are those of the mean forces, where
+    displacements are not determined; and without a forcing of the first harmonics, which shift
+    a motion in time: as forces that act at as many equal steps as there are events.
     """
     slow = [h for h, turn in enumerate(frame.turns) if fixes(cell, turn)]
     by_law = np.array([q.fixing / np.diag(q.direct) for q in frame.own.phases]).T
-    contacts = range(len(by_law))
-    rows = np.array([h * len(by_law) + c for h in slow for c in contacts], dtype=int)
-    return rows, np.tile(by_law, (len(slow), 1)) / by_law.shape[1]
+    contacts, count = by_law.shape
+    rows = np.array([h * contacts + c for h in slow for c in range(contacts)], dtype=int)
+    steps = np.exp(-1j * frame.turns[slow, None, None] * np.arange(count) / count)
+    return rows, (steps * by_law / count).reshape(len(rows), count)
 
 
 def fixes(cell: "BodyCell", turn: Any) -> bool:
     """Whether events are added to the rows of a harmonic ``h w T``: see `_fixing`."""
-    least = 0.0 if cell.forced else math.pi if cell.sign < 0 else 2 * math.pi
-    return abs(abs(float(turn)) - least) < 1.0
+    is_mean = abs(float(turn)) < 1.0
+    if cell.forced or is_mean:
+        return is_mean and shifts(cell)[0].size > 0
+    return abs(float(turn)) < 2 * math.pi + 1.0
 
 
 def mean_fixes(cell: "BodyCell") -> bool:

@@ -10,7 +10,7 @@ from flint import acb, arb, arb_mat
 
 from ...arrays import Matrix
 from ...bodies.laws import places, scales
-from ...bodies.part import parts_of, shifts
+from ...bodies.part import onto_event, parts_of, shifts
 from ...bodies.switch import UNSEEN
 from .body import Balls, Body, balls, impulses, laws, solved
 
@@ -41,15 +41,13 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
         events.append(balls(cell.carrying(p).event) @ variables)
         switches.append(_switch(cell, p, free, variables[places(cell.body.at.shape[1])[1]]))
     units = np.append(1 / scales(cell.body, cell.omega), np.ones(clock // 2))  # of places first
-    _fix(switches, events, *(q[:clock] * units[:, None] for q in shifts(cell)))
-    if not cell.forced:  # by how much the motion is shifted in time; see `parts_of`
-        gradient = parts_of(cell)[-1].switch.gradient
-        shift, units = (
-            gradient / (gradient @ gradient),
-            np.append(units, np.ones(len(cell.memory))),
-        )
-        shifted = balls(np.insert(units * shift, [clock] * 3, 0.0))
-        switches[-1] -= shifted[:, None] * events[-1]
+    before, behind = (q[:clock] * units[:, None] for q in shifts(cell))
+    _fix(switches, events, before, cell.sign * behind)
+    for p in range(0 if cell.forced else count):  # see `parts_of`
+        event, shift = onto_event(parts_of(cell)[p].switch)
+        shift[:clock] *= units[:, None]
+        shift *= (cell.sign if p == count - 1 else 1) / (event[:, 0] @ event[:, 0])
+        switches[p] -= balls(np.insert(shift, [clock] * 3, 0.0, axis=0)) * events[p]
     whole = balls(np.eye(len(flows[0])))
     for flow, switch in zip(flows, switches, strict=True):
         whole = switch @ (flow @ whole)

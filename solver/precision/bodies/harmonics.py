@@ -49,7 +49,8 @@ def _fixing(frame: Frame, p: int) -> Iterator[tuple[int, Any]]:
     factors = balls(phase.fixing / np.diag(phase.direct)) / frame.count
     for h, turn in enumerate(frame.turns):
         if fixes(frame.cell, turn):
-            yield from enumerate(factors, h * len(factors))
+            step = (acb(0, -1) * turn * p / frame.count).exp()
+            yield from enumerate(factors * step, h * len(factors))
 
 
 def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
