@@ -210,6 +210,7 @@ def _excess(sign: float, C: Matrix, w: Vector) -> Vector:
     return np.asarray(sign * D - np.hypot(P, Q))
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # values may be beyond float64
 def changes_of_sign(
     function: Callable[[Vector], Vector], low: Vector, high: Vector, halvings: int
 ) -> Vector:

@@ -248,3 +248,10 @@ def test_equations_beyond_float64_decide_nothing() -> None:
     with pytest.raises(ns.NoOrbit) as raised:
         exact_orbit(FRICTION(mass=1e-150, damping=1e9))
     assert not raised.value.proven
+
+
+def test_a_change_of_sign_between_values_beyond_float64() -> None:
+    """There false positions are not numbers: its interval is halved."""
+    grown = lambda u: np.sign(u - 0.3) * np.where(np.abs(u - 0.3) < 1e-3, 1.0, np.inf)  # noqa: E731
+    found = enclosure.changes_of_sign(grown, np.zeros(1), np.ones(1), 50)
+    assert found == pytest.approx([0.3], abs=1e-12)
