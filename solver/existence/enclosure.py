@@ -230,7 +230,8 @@ def changes_of_sign(
     place, done = low, np.zeros(len(low), dtype=bool)
     for step in range(FALSE + halvings):
         false, last = high - right * ((high - low) / (right - left)), place
-        is_inside = (low <= false) & (false <= high) & (step < FALSE)
+        is_inside = np.isfinite(right - left) & (low <= false) & (false <= high)
+        is_inside &= step < FALSE
         place = np.where(done, last, np.where(is_inside, false, (low + high) / 2))
         value = function(place)
         done |= (value == 0) | (np.abs(place - last) <= near)

@@ -251,7 +251,10 @@ def test_equations_beyond_float64_decide_nothing() -> None:
 
 
 def test_a_change_of_sign_between_values_beyond_float64() -> None:
-    """There false positions are not numbers: its interval is halved."""
-    grown = lambda u: np.sign(u - 0.3) * np.where(np.abs(u - 0.3) < 1e-3, 1.0, np.inf)  # noqa: E731
+    """There is no false position: its interval is halved."""
+
+    def grown(u: np.ndarray) -> np.ndarray:
+        return np.where(np.abs(u - 0.3) < 1e-3, u - 0.3, np.copysign(np.inf, u - 0.3))
+
     found = enclosure.changes_of_sign(grown, np.zeros(1), np.ones(1), 50)
     assert found == pytest.approx([0.3], abs=1e-12)
