@@ -5,7 +5,7 @@ from itertools import chain, islice
 
 import numpy as np
 
-from .existence.known import are_one, known, known_orbits
+from .existence.known import are_one, known, known_orbits, searched
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
 from .in_order import settled_cases
 from .kernels.start import PATIENCE, RoughTimes, rough_times
@@ -146,8 +146,8 @@ def _of_motion(case: Case, guess: RoughTimes | None = None) -> ExactOrbit:
     """Return the exact orbit of a case of one motion; see `exact_orbit`."""
     tried: list[str] = []
     iterations = 0
-    patience = PATIENCE if known(case).listed or case.scene.has_body else None
-    guesses = starts(case, islice(rough_times(case.cell), patience), tried)
+    rough = islice(rough_times(case.cell), PATIENCE if known(case).listed else None)
+    guesses = starts(case, rough, tried)
     for start in [guess] if guess else (times for _, times in guesses):
         orbit = from_times(case, start)
         iterations += orbit.outcome.iterations
@@ -171,14 +171,14 @@ def starts(
     """Yield rough times, then those on which simulations settle; with words for each.
 
     In an undeclared order those of simulations come first.  Else, where provably no orbit is,
-    and for bodies, whose rough times `known` has tried, they come alone.  The reason why a
-    simulation gives no times is added to `tried`.
+    and for bodies, whose rough times `known` has tried, they come alone.  Of a body in an
+    undeclared order `searched` comes in place of rough times.  The reason why a simulation
+    gives no times is added to `tried`.
     """
     knowledge, undeclared = known(case), isinstance(case.scene, OrderedScene)
-    looked_at = case.scene.has_body
-    at_hand = ((times.words, times) for times in rough)
-    if not (undeclared or knowledge.none or looked_at):
-        yield from at_hand
+    is_body = case.scene.has_body
+    if not (undeclared or knowledge.none or is_body):
+        yield from ((times.words, times) for times in rough)
     phases = (FEW, PHASES) if knowledge.listed else (PHASES,)
     for settled in rough_times_by_simulation(case, *phases, widely=undeclared):
         if settled.times is not None:
@@ -186,7 +186,8 @@ def starts(
         elif settled.words:
             tried.append(settled.words)
     if undeclared:
-        yield from at_hand
+        further = rough if not is_body else () if knowledge.listed else searched(case)
+        yield from ((times.words, times) for times in further)
 
 
 def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes:

@@ -174,12 +174,12 @@ class Search:
         For the order see `exact.starts`.  The last are those of the exact orbit, which may be
         found where no coarse one is.
         """
-        looked_at = self.case.scene.has_body  # of a body `known` tries all rough times
-        rough = () if looked_at else self._coarse()
-        for words, times in starts(self.case, rough, self.tried):
+        rough = () if self.case.scene.has_body else self._coarse()
+        with_exact = self.exact or known(self.case).orbits  # what simulations do says no more
+        for words, times in starts(self.case, rough, [] if with_exact else self.tried):
             self.words = words
             yield self._vector(times)
-        if looked_at or known(self.case).listed:
+        if self.case.scene.has_body or known(self.case).listed:
             return
         try:
             exact = exact_orbit(self.case)

@@ -103,6 +103,19 @@ def known(case: Case) -> Known:
     return replace(_sorted(orbits, complete), listed=True)
 
 
+@lru_cache(maxsize=64)
+def searched(case: Case) -> tuple[RoughTimes, ...]:
+    """Return the times of the orbits of a body to which starts on a grid lead; see `bodies`.
+
+    For orders that a scene does not declare; without a forcing `known` has them.
+    """
+    orbits = (q for q in bodies.solutions(case) if q.admissible) if case.cell.forced else ()
+    return tuple(
+        RoughTimes(tuple(map(float, q.cell_durations)), q.angle, "several starts")
+        for q in orbits
+    )
+
+
 def known_orbits(case: Case) -> list[ExactOrbit]:
     """Return the orbits that are known of each motion of a case, the stable ones first."""
     return stable_first(

@@ -273,3 +273,30 @@ def test_an_orbit_is_found_where_simulations_settle_on_one_of_twice_its_period()
     names = [phase.name.partition("_")[0] for phase in orbit.phases]
     assert names == ["p00", "p10", "p00", "p01"]
     assert orbit.stable
+
+
+def test_an_order_that_is_asked_for_is_found_beside_one_on_which_motions_settle() -> None:
+    """Both are stable; the durations are of an event-driven integration of the motion."""
+    frequency, g, d, r, k = sp.symbols("Omega g d r k", positive=True)
+    K = np.array([[2.0, -1, 0], [-1, 2, -1], [0, -1, 1]])
+    C = np.array([[0.18, -0.02, 0], [-0.02, 0.25, -0.02], [0, -0.02, 0.118]])
+    at = {"last": [0, 0, 1], "first": [1, 0, 0]}
+    body = Body(M=np.diag([1, 1.5, 0.7]), C=C, K=K, forcing=[0.6, 0, 0], at=at)
+    last, first = body.at["last"], body.at["first"]
+    before, behind = {"before": g - last.x}, first.x + d
+
+    def phase(name: str, law: sp.Expr, other: str, side: dict) -> Phase:
+        hit = Event(last.x - g, jump={last.v: -r * last.v}, to=name)
+        return Phase(name, (last.force, law), hit | Event(behind, to=other), before | side)
+
+    own = parameters(
+        frequency=(frequency, "rad/s", 0.525), gap=(g, "m", 1.1), other_gap=(d, "m", 0.4),
+        restitution=(r, "", 0.7), stiffness=(k, "N/m", 3.0),
+    )  # fmt: skip
+    off = phase("off", first.force, "on", {"off": behind})
+    on = phase("on", first.force + k * behind, "off", {"presses": -behind})
+    two = scene_of("impact-and-stop", own, off, on, body=body)()
+    asked = ns.solve(two, order=16, phases="off,off,off_by_2,on_by_2")
+    assert asked.stable
+    found = (3.917353370, 2.062697177, 1.795473754, 4.192447713)
+    assert asked.durations == pytest.approx(found, abs=2e-9)
