@@ -164,9 +164,11 @@ def _order(
 def _first_jump(before: sp.Matrix, after: sp.Matrix, known: sp.Matrix) -> int | None:
     """Return the first j with ``e_x (A+^j - A-^j)`` not in the span of known rows, less 1.
 
-    Ranks are computed over the field of rational functions of the parameters.
+    Ranks are computed over the field of rational functions of the parameters, or of expressions
+    if one has roots or other functions of them.
     """
     together = DomainMatrix.from_Matrix(sp.Matrix.vstack(before, after, known)).to_field()
+    together = together.to_dense()  # SymPy does not subtract sparse matrices of expressions
     size = before.rows
     A, B, rows = together[:size, :], together[size : 2 * size, :], together[2 * size :, :]
     rank = rows.rank()

@@ -65,6 +65,18 @@ def test_a_contact_damper_makes_a_clearance_less_smooth():
     assert classes(made) == [2, 2]
 
 
+def test_the_damping_may_be_a_ratio():
+    """Roots of parameters are no rational functions of them."""
+    made = SCENES["S2b"][0]
+    mass, stiffness = (sp.Symbol(name, positive=True) for name in ("m", "k"))
+    ratio = sp.sqrt(stiffness * mass) * v / 5
+    contact, separated = made.phases
+    damped = [replace(q, equation=q.equation + ratio) for q in made.phases]
+    assert classes(replace(made, phases=tuple(damped))) == [2, 2]
+    assert classes(replace(made, phases=(damped[0], separated))) == [1, 1]
+    assert classes(replace(made, phases=(contact, damped[1]))) == [1, 1]
+
+
 def test_a_spring_that_begins_at_another_place_makes_a_step_of_the_force():
     made = SCENES["S2b"][0]
     contact, separated = made.phases
