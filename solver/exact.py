@@ -1,6 +1,6 @@
 """The exact orbit of a scene of linear phases: the reference of every error."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain, islice
 
 import numpy as np
@@ -11,6 +11,7 @@ from .in_order import settled_cases
 from .kernels.start import PATIENCE, RoughTimes, rough_times
 from .no_orbit import NoOrbit, of_any_motion
 from .orbit.exact_orbit import ExactOrbit, from_times
+from .orbit.motion import Motion
 from .scenes.case import Case, check_case
 from .scenes.ordered import OrderedScene, declared_as, in_order
 from .scenes.orders import half_if_mirrored
@@ -143,11 +144,14 @@ def _declared(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
 
 
 def _of_motion(case: Case, guess: RoughTimes | None = None) -> ExactOrbit:
-    """Return the exact orbit of a case of one motion; see `exact_orbit`."""
+    """Return the exact orbit of a case of one motion; see `exact_orbit`.
+
+    In an undeclared order a stable one, if simulations lead to one.
+    """
     tried: list[str] = []
-    iterations = 0
+    iterations, unstable = 0, None
     rough = islice(rough_times(case.cell), PATIENCE if known(case).listed else None)
-    guesses = starts(case, rough, tried)
+    guesses = starts(case, rough, tried, lambda: unstable is not None)
     for start in [guess] if guess else (times for _, times in guesses):
         orbit = from_times(case, start)
         iterations += orbit.outcome.iterations
@@ -155,8 +159,12 @@ def _of_motion(case: Case, guess: RoughTimes | None = None) -> ExactOrbit:
             tried.append(f"from {start.words}: {orbit.outcome.reason}")
         elif orbit.violations:
             tried.append(f"from {start.words}: {'; '.join(orbit.violations)}")
-        else:
+        elif guess or not prefers_stable(case, orbit):
             return orbit
+        else:
+            unstable = unstable or orbit
+    if unstable is not None:
+        return unstable
     proven = None if guess else shown_to_be_none(case, tried)
     reason = f"{case.scene.label}: no admissible exact orbit was found"
     words = "; ".join([reason, *not_decided(case), *without_switches(case)])
@@ -165,15 +173,24 @@ def _of_motion(case: Case, guess: RoughTimes | None = None) -> ExactOrbit:
     raise error
 
 
+def prefers_stable(case: Case, orbit: Motion) -> bool:
+    """Whether an orbit is unstable in an undeclared order, which may have a stable one."""
+    return isinstance(case.scene, OrderedScene) and orbit.stable is False
+
+
 def starts(
-    case: Case, rough: Iterable[RoughTimes], tried: list[str]
+    case: Case,
+    rough: Iterable[RoughTimes],
+    tried: list[str],
+    enough: Callable[[], bool] = lambda: False,
 ) -> Iterator[tuple[str, RoughTimes]]:
     """Yield rough times, then those on which simulations settle; with words for each.
 
     In an undeclared order those of simulations come first.  Else, where provably no orbit is,
     and for bodies, whose rough times `known` has tried, they come alone.  Of a body in an
-    undeclared order `searched` comes in place of rough times.  The reason why a simulation
-    gives no times is added to `tried`.
+    undeclared order `searched` comes in place of rough times.  After simulations in such an
+    order it is asked whether that was `enough`.  The reason why a simulation gives no times is
+    added to `tried`.
     """
     knowledge, undeclared = known(case), isinstance(case.scene, OrderedScene)
     is_body = case.scene.has_body
@@ -185,7 +202,7 @@ def starts(
             yield settled.times.words, settled.times
         elif settled.words:
             tried.append(settled.words)
-    if undeclared:
+    if undeclared and not enough():
         further = rough if not is_body else () if knowledge.listed else searched(case)
         yield from ((times.words, times) for times in further)
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from .arrays import Vector
 from .bodies.harmonics.system import mean_fixes
-from .exact import ExactOrbit, exact_orbit, starts
+from .exact import ExactOrbit, exact_orbit, prefers_stable, starts
 from .existence.known import known
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
 from .kernels import registry
@@ -45,7 +45,8 @@ class Search:
     """A search for an orbit of a case of one motion, and the outcome of each start.
 
     `words` describe the start in use, `iterations` counts those so far, `exact` tells that an
-    exact orbit is known, `tried` has the reason why each start failed.
+    exact orbit is known, `tried` has the reason why each start failed, `unstable` is the first
+    orbit found if a stable one is preferred.
     """
 
     case: Case
@@ -56,6 +57,7 @@ class Search:
     iterations: int = 0
     exact: bool = False
     tried: list[str] = field(default_factory=list)
+    unstable: Orbit | None = None
 
     @cached_property
     def kernel(self) -> Kernel:
@@ -65,6 +67,8 @@ class Search:
     def run(self) -> Orbit:
         """Return the orbit of the first start that leads to one.
 
+        In an undeclared order a stable one, if simulations lead to one.
+
         Raises
         ------
         NoOrbit
@@ -72,8 +76,11 @@ class Search:
         """
         for times in self.starts():
             orbit = self.orbit(times)
-            if orbit is not None:
+            if orbit is not None and not prefers_stable(self.case, orbit):
                 return orbit
+            self.unstable = self.unstable or orbit
+        if self.unstable is not None:
+            return self.unstable
         name = f"{self.case.scene.label}, {self.kernel.method}, N = {self.order}"
         words = "; ".join([f"{name}: no admissible orbit was found", *self._what_else()])
         tried = tuple(dict.fromkeys(self.tried))
@@ -176,10 +183,11 @@ class Search:
         """
         rough = () if self.case.scene.has_body else self._coarse()
         with_exact = self.exact or known(self.case).orbits  # what simulations do says no more
-        for words, times in starts(self.case, rough, [] if with_exact else self.tried):
+        tried = [] if with_exact else self.tried
+        for words, times in starts(self.case, rough, tried, lambda: self.unstable is not None):
             self.words = words
             yield self._vector(times)
-        if self.case.scene.has_body or known(self.case).listed:
+        if self.case.scene.has_body or known(self.case).listed or self.unstable is not None:
             return
         try:
             exact = exact_orbit(self.case)

@@ -5,10 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_scenes import made
+import sympy as sp
+from made_scenes import made, parameters, scene_of
 from one_mass import NAMES
 
 import nonsmooth as ns
+from nonsmooth.scene import Event, Phase, a, forcing, v, x
 from nonsmooth.solver import solve as solving
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import cases_in_order
@@ -322,3 +324,32 @@ def test_a_scene_with_a_phase_that_has_no_image_has_no_half_periods() -> None:
     )
     with pytest.raises(ValueError, match="where one cannot follow another"):
         cases_in_order(rubbing(), "phase 0,phase 1,phase 2,phase 1")
+
+
+def test_of_two_orbits_of_one_undeclared_order_all_ways_take_the_stable_one() -> None:
+    """A loaded gear pair with backlash: simulations come near to the unstable one first."""
+    m, c, k, P, g, F, Omega = sp.symbols("m c k P g F Omega", positive=True)
+    own = m * a + c * v - P - F * forcing
+    above, below = Event(x - g), Event(x + g)
+    phases = (
+        Phase("drive", own + k * (x - g), above, {"drive flank": x - g}),
+        Phase("play", own, above | below, {"in the play": g - sp.Abs(x)}),
+        Phase("coast", own + k * (x + g), below, {"coast flank": -x - g}),
+    )
+    known = parameters(
+        mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.1), mesh=(k, "N/m", 1.0),
+        load=(P, "N", 0.1), play=(g, "m", 1.0), force=(F, "N", 0.3),
+        frequency=(Omega, "rad/s", 0.8),
+    )  # fmt: skip
+    gear = scene_of("gear", known, *phases)()
+    order = "drive,play_by_2,coast,play"
+    for found in (
+        exact_orbit(cases_in_order(gear, order)[0]),
+        ns.solve(gear, phases=order),
+        ns.solve(gear, tol=1e-8),
+        ns.exact(gear),
+    ):
+        durations = {phase.name: phase.duration for phase in found.phases}
+        wanted = {"drive": 3.254292, "play_by_2": 0.747638, "coast": 3.105907, "play": 0.746145}
+        assert durations == pytest.approx(wanted, abs=1e-6)
+        assert found.stable
