@@ -19,6 +19,9 @@ from .simulation.machine import Machine
 from .simulation.machines import machine_of
 from .simulation.settle import FEW, PHASES, from_several_states
 
+#: Digits of durations, without units, in which different orbits of an order differ.
+APART = 2
+
 #: Most phases of an order, most readings of its names, and most different orders among these.
 MOST_PHASES, MOST_WAYS, MOST_ORDERS = 100, 4096, 64
 
@@ -96,7 +99,13 @@ def settled_cases(case: Case, *, patiently: bool = False) -> Iterator[tuple[Case
     if patiently or not listed:
         phases.append(PHASES)
     orders: set[Order] = set()
+    declared: set[tuple[float, ...]] = set()
     for settled in from_several_states(case, *phases):
+        if settled.times is not None:
+            about = tuple(round(s, APART) for s in settled.times.durations)
+            if about not in declared:
+                yield case, settled.times
+            declared.add(about)
         other = settled.other.within(case.cycles) if settled.other else None
         if other is None or other.order in orders:
             continue

@@ -28,14 +28,16 @@ def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     time = stated.get("time", period if scene.frequency is None else 1 / scene.frequency)
     if time is None:
         raise SceneError(
-            "scales: no time can be worked out (no forcing, no spring): give 'time'"
+            "scales: no time can be worked out (no forcing, no spring): give one, in "
+            "parameters and numbers in SI units, as scales={'time': ...}"
         )
     speeds = [phase.held for phase in scene.phases if phase.held]
     if "length" in stated:
         return mass, time, stated["length"]
     if force is None and not speeds:
         raise SceneError(
-            "scales: no length can be worked out (no forcing, no held speed): give it"
+            "scales: no length can be worked out (no forcing, no held speed): give one, such "
+            "as scales={'length': F/k}"
         )
     length = sp.Abs(speeds[0]) * time if force is None else force * time**2 / mass
     return mass, time, length if of_body else sp.simplify(length)

@@ -69,7 +69,8 @@ def switches(scene: SceneData) -> tuple[Switch, ...]:
             raise SceneError(f"phase {right.name}: {words}")
         if k is None and (right.held is None or right.demands == left.demands):
             raise SceneError(
-                f"phase {right.name}: its motion is that of {left.name}; nothing changes"
+                f"phase {right.name}: its motion is that of {left.name}; nothing changes: make "
+                "them one phase, or list them in different `motions`"
             )
         of_cell.append(Switch(left.name, right.name, HIGHEST if k is None else k))
     return tuple(of_cell)

@@ -85,7 +85,10 @@ def simulate(
     if state is None:
         start = machine.at_rest(turn)
         if start is None:
-            raise ValueError("state: no displacement at rest is admitted, expected one")
+            raise ValueError(
+                "state: got none, expected displacement and velocity: no phase of "
+                f"{case.scene.name} takes a state at rest"
+            )
     else:
         start = machine.released(*_given(case, state), turn)
     if machine.begin(start) is None:

@@ -18,6 +18,7 @@ from nonsmooth.scene import Body, Event, Parameter, Phase, Scene, a, v, x
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.precision import digits
 from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.solve import orbits_of
 
 g, r, k, d, V, P, static, kinetic, w = sp.symbols("g r k1 d V P f_s f_k w_f", positive=True)
 K = np.array([[3.0, -2.0], [-2.0, 2.0]])
@@ -345,3 +346,28 @@ def test_a_free_mass_has_no_time_of_its_own() -> None:
     numbers = (GAP, RESTITUTION)
     with pytest.raises(SceneError, match="scales: no time can be worked out"):
         Scene("walls", "", numbers, (flight,), body=body, scales={"length": g})
+
+
+def test_all_orbits_have_the_one_on_which_motions_settle_from_rest() -> None:
+    """A drill string: two more orbits, stable as well, are found by starts on a grid."""
+    string = Body(
+        M=np.diag([1.0, 0.5]), K=[[2.5, -1.5], [-1.5, 1.5]], C=np.diag([0.1, 0.0]),
+        at={"bit": [0, 1]},
+    )  # fmt: skip
+    bit = string.at["bit"]
+    phases = (
+        Phase("stick", bit.a, Event(bit.force + static), {"h": static + bit.force}, held=-V),
+        Phase("slip", bit.force + kinetic, Event(bit.v + V), {"turns on": bit.v + V}),
+    )
+    parameters = (
+        Parameter("speed", V, "m/s", 0.3, "speed of the drive"),
+        Parameter("static", static, "N", 1.0, "static torque"),
+        Parameter("kinetic", kinetic, "N", 0.5, "kinetic torque"),
+    )
+    case = ns.scene(Scene("drill-string", "", parameters, phases, body=string))()
+    at_rest = ns.simulate(case, cycles=120).phases[-3:-1]
+    orbits = orbits_of(case, order=12)
+    durations = [sorted(phase.duration for phase in orbit.phases) for orbit in orbits]
+    assert sorted(phase.duration for phase in at_rest) == pytest.approx(durations[-1], rel=1e-6)
+    assert durations[-1] == pytest.approx([4.418128, 4.781155], abs=1e-6)
+    assert [orbit.stable for orbit in orbits] == [True] * 3

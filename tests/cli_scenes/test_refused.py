@@ -231,6 +231,7 @@ REFUSED = {
         ("impact --state nan,0", "--state: got nan, expected a finite displacement in m"),
         ("impact --state 1,2", "flight not true that the mass stays before the stop"),
         ("impact --cycles 0", "--cycles: got 0.0, expected a positive number"),
+        ("stick-slip-damped --vary mass=1:2:3", "--vary: nothing forces stick-slip-damped"),
         ("impact --vary gap=0:1:3 --gap 1", "--gap: given beside --vary gap, which sets it"),
         ("impact --vary gap=1:2:3 --grid x=0:1:2", "--grid: got x=0:1:2 beside --vary"),
         ("impact --grid x=0:1:2", "expected one for x and one for v"),

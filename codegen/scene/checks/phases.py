@@ -64,7 +64,10 @@ def _check_held(phase: Phase, scene: SceneData, units: Units) -> None:
     """Check that a constraint prescribes the velocity, and the equation says no more."""
     memory = [q.symbol for q in scene.memory]
     if len(scene.contacts) > 1:
-        raise SceneError("a body with several contacts cannot be held yet")
+        raise SceneError(
+            "a body with several contacts cannot be held; a joint that sticks can have a "
+            "spring in series with its slider"
+        )
     if scene.body is None:
         others = linear_phase(phase, memory).coefficients[1:]
     else:

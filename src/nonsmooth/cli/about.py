@@ -212,6 +212,9 @@ def completed(names: Sequence[str], incomplete: str) -> list[CompletionItem]:
     return [CompletionItem(name) for name in names if name.startswith(incomplete)]
 
 
+#: Flags of commands that look once a period of the forcing, where something forces.
+OF_FORCED = "--vary", "--grid", "--transient", "--cycles", "--attractors"
+
 #: Flags of earlier versions, and what is asked in their place.
 RENAMED = {"--c1-terms": "--functions K, with --method hb-ck,"}
 
@@ -229,6 +232,9 @@ def no_such_option(error: click.NoSuchOption) -> str:
         return f"{error.option_name}: {expected}"
     if error.option_name == "--motion" and about and not getattr(about.about, "motions", True):
         return f"--motion: {about.about.name} has one motion, which needs no name"
+    of_forced = error.option_name in OF_FORCED
+    if about and of_forced and getattr(about.about, "frequency", "") is None:
+        return f"{error.option_name}: nothing forces {about.about.name}"
     of_what = f"{about.about.name} has no {error.option_name}." if about else error.message
     if meant:
         *others, last = meant
