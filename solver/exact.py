@@ -95,14 +95,18 @@ def settled_orbit(case: Case, *, beside: bool = False) -> ExactOrbit | None:
     return None if beside else unstable
 
 
-def settled_orbits(case: Case, *, patiently: bool = False) -> Iterator[ExactOrbit]:
+def settled_orbits(
+    case: Case, *, patiently: bool = False, as_declared: bool = False
+) -> Iterator[ExactOrbit]:
     """Yield the exact orbits on which simulations settle; none if the case names a motion.
 
     After an unstable one, the others of the same order of phases follow, if they can be listed.
-    For `patiently` see `settled_cases`.
+    For `patiently` and `as_declared` see `settled_cases`.
     """
-    of_any = case.scene.motion is None
-    for orbit in _admissible(settled_cases(case, patiently=patiently) if of_any else ()):
+    if case.scene.motion is not None:
+        return
+    settled = settled_cases(case, patiently=patiently, as_declared=as_declared)
+    for orbit in _admissible(settled):
         yield orbit
         if orbit.stable is False:
             yield from (q for q in known(orbit.case).orbits if not are_one(q, orbit))

@@ -86,12 +86,15 @@ def _names(phases: Sequence[str]) -> list[str]:
     return [name.strip() for name in names]
 
 
-def settled_cases(case: Case, *, patiently: bool = False) -> Iterator[tuple[Case, RoughTimes]]:
+def settled_cases(
+    case: Case, *, patiently: bool = False, as_declared: bool = False
+) -> Iterator[tuple[Case, RoughTimes]]:
     """Yield the orders on which simulations settle: cases, and times of their cells.
 
-    They may be declared orders, too.  Their motions have the period of the case.  For the
-    starts see `from_several_states`.  Simulations are short where orbits can be listed; where
-    they are to be followed `patiently`, as no orbit is known, longer ones come after these.
+    They may be declared orders, too; that of a scene of one motion is if `as_declared`.  Their
+    motions have the period of the case.  For the starts see `from_several_states`.  Simulations
+    are short where orbits can be listed; where they are to be followed `patiently`, as no orbit
+    is known, longer ones come after these.
     """
     base = of_all_phases(case)
     listed = all(known(each).listed for each in case.each_motion)
@@ -101,7 +104,7 @@ def settled_cases(case: Case, *, patiently: bool = False) -> Iterator[tuple[Case
     orders: set[Order] = set()
     declared: set[tuple[float, ...]] = set()
     for settled in from_several_states(case, *phases):
-        if settled.times is not None:
+        if as_declared and settled.times is not None:
             about = tuple(round(s, APART) for s in settled.times.durations)
             if about not in declared:
                 yield case, settled.times

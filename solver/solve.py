@@ -168,7 +168,7 @@ def orbits_of(
         if not known(motion).complete and not of_motion:
             with suppress(NoOrbit):
                 orbits.append(search.run())
-    for exact in settled_orbits(case):
+    for exact in settled_orbits(case, as_declared=True):
         others = [orbit.exact for orbit in orbits if orbit.exact is not None]
         lowest = registry.kernel(exact.case.scene, method, functions).lowest
         if order >= lowest and not any(are_one(exact, other) for other in others):

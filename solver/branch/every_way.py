@@ -128,7 +128,7 @@ def _orbits(case: Case) -> list[ExactOrbit]:
     orbits: list[ExactOrbit] = []
     with suppress(NoOrbit, ParameterError):
         orbits = known_orbits(case)
-        for orbit in settled_orbits(case) if orbits else [exact_orbit(case)]:
+        for orbit in settled_orbits(case, as_declared=True) if orbits else [exact_orbit(case)]:
             if not any(are_one(orbit, other) for other in orbits):
                 orbits.append(orbit)
     return orbits

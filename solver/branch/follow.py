@@ -28,7 +28,7 @@ PART, MOST_POINTS = 1 / 80, 20_000
 NEAR = 1.0
 
 #: Steps tried across a place where branches meet.
-LEAPS = 1e-4, 1e-3, 1e-2
+LEAPS = 1e-4, 1e-3, 1e-2, 0.1
 
 #: How far ahead, as a part of the range, the parameters are checked where no step succeeds.
 AHEAD = 1e-6

@@ -46,10 +46,10 @@ def test_a_symmetric_orbit_passes_a_branch_point_where_the_stops_are_unequal() -
     start = ns.solve(case, phases="mid,left,mid,right")
     branch = ns.branch(case, "edge", 0.32, 0.3262, start=start)
     assert branch.why_it_ended == ("the end of the range",) * 2
-    assert [event.kind for event in branch.events] == ["branch-point", "fold"]
-    event = branch.events[0]
+    assert [event.kind for event in branch.events] == ["fold", "branch-point"]
+    event = branch.events[1]
     assert event.parameter == expected
     assert event.estimate < 1e-10
     at = [row.value for row in branch].index(event.parameter)
     assert branch[at].multipliers[0] == pytest.approx(1.0, abs=1e-6)
-    assert [row.stable for row in (branch[at - 1], branch[at + 1])] == [False, True]
+    assert [row.stable for row in (branch[at - 1], branch[at + 1])] == [True, False]

@@ -61,7 +61,7 @@ def test_whole_numbers_of_numpy_are_cycles() -> None:
         (("dry-friction", "--motion", "two-stop"), "--motion: got 'two-stop', expected one of"),
         (("dry-friction", "--motion", "two-stop"), "did you mean two-stops?"),
         (("impact", "--motion", "sliding"), "--motion: impact has one motion"),
-        (("stick-slip-damped", "--cycles", 2), "has no --cycles"),
+        (("stick-slip-damped", "--cycles", 2), "--cycles: nothing forces stick-slip-damped"),
         (("backlash", "--cycles", 2), "--cycles: got 2, expected an odd number"),
     ],
 )
