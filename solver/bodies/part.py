@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, wraps
+from functools import cache, lru_cache, partial, wraps
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -30,9 +30,9 @@ class Part:
     lawful: Lawful
     switch: Switch
     closing: Switch
-    omega: float
+    flowing: Callable[[], Flow]
 
-    @cached_property
+    @property
     def flow(self) -> Flow:
         """The flow of the body in the phase.
 
@@ -41,7 +41,7 @@ class Part:
         BodyError
             If there is no eigenbasis.
         """
-        return flow_of(self.lawful, self.omega)
+        return self.flowing()
 
 
 @lru_cache(maxsize=32)
@@ -58,12 +58,21 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     BodyError
         If a law does not fix its force.
     """
-    laws = [lawful(cell, p) for p in range(len(cell.phases))]
+    each = [cell.carrying(p) for p in range(len(cell.phases))]
+    names = [(phase.laws, phase.held, phase.speed) for phase in each]
+    ways = {name: _under(cell, names.index(name)) for name in dict.fromkeys(names)}
+    laws, flows = zip(*(ways[name] for name in names), strict=True)
     switches = [switch(cell, p, law.rows) for p, law in enumerate(laws)]
     closing = fixed(switches, *shifts(cell))
     if not cell.forced:
         closing = [q.fixing(*onto_event(q)) for q in closing]
-    return tuple(map(Part, laws, switches, closing, [cell.omega] * len(laws)))
+    return tuple(map(Part, laws, switches, closing, flows))
+
+
+def _under(cell: "BodyCell", p: int) -> tuple[Lawful, Callable[[], Flow]]:
+    """Return the body under the laws of a phase, and what makes its flow once."""
+    law = lawful(cell, p)
+    return law, cache(partial(flow_of, law, cell.omega))
 
 
 def onto_event(each: Switch) -> tuple[Matrix, Matrix]:
@@ -113,9 +122,9 @@ def _returning(cell: "BodyCell") -> tuple[Matrix, Matrix]:
     )
     if by_mode.min() * cell.duration > RETURNING:
         return (np.empty((2 * len(body.squares) + len(cell.memory), 0)),) * 2
-    law = lawful(cell, 0)
+    law, flowing = _under(cell, 0)
     across = switch(cell, 0, law.rows)
-    flow, _ = phase_map(Part(law, across, across, cell.omega), cell.duration)
+    flow, _ = phase_map(Part(law, across, across, flowing), cell.duration)
     left, values, Vh = np.linalg.svd(np.eye(len(flow)) - cell.sign * across.state @ flow)
     last = int((values > RETURNING).sum())
     return flow @ Vh[last:].T, left[:, last:]
