@@ -19,7 +19,8 @@ from .simulation.machine import Machine
 from .simulation.machines import machine_of
 from .simulation.settle import FEW, PHASES, from_several_states
 
-#: Digits of durations, without units, in which different orbits of an order differ.
+#: Digits of durations, without units, and of the phase of the forcing, in which different
+#: orbits of an order differ.
 APART = 2
 
 #: Most phases of an order, most readings of its names, and most different orders among these.
@@ -105,7 +106,8 @@ def settled_cases(
     declared: set[tuple[float, ...]] = set()
     for settled in from_several_states(case, *phases):
         if as_declared and settled.times is not None:
-            about = tuple(round(s, APART) for s in settled.times.durations)
+            times = *settled.times.durations, settled.times.angle
+            about = tuple(round(q, APART) for q in times)
             if about not in declared:
                 yield case, settled.times
             declared.add(about)

@@ -25,6 +25,7 @@ class Part:
 
     `closing` is the same switch on an orbit, and determines displacements that nothing else
     does: see `switch.fixed`; and without a forcing where on the orbit the cell begins.
+    `flowing` makes the flow at its first call; phases under the same laws share it.
     """
 
     lawful: Lawful
@@ -58,10 +59,10 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     BodyError
         If a law does not fix its force.
     """
-    each = [cell.carrying(p) for p in range(len(cell.phases))]
-    names = [(phase.laws, phase.held, phase.speed) for phase in each]
-    ways = {name: _under(cell, names.index(name)) for name in dict.fromkeys(names)}
-    laws, flows = zip(*(ways[name] for name in names), strict=True)
+    phases = [cell.carrying(p) for p in range(len(cell.phases))]
+    keys = [(phase.laws, phase.held, phase.speed) for phase in phases]
+    under = {key: _under(cell, keys.index(key)) for key in dict.fromkeys(keys)}
+    laws, flows = zip(*(under[key] for key in keys), strict=True)
     switches = [switch(cell, p, law.rows) for p, law in enumerate(laws)]
     closing = fixed(switches, *shifts(cell))
     if not cell.forced:
