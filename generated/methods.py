@@ -55,7 +55,7 @@ METHODS = {
     'ck': {
         'title': 'functions of class C^k, tested with themselves',
         'kernel': 'ck',
-        'unseen': (1, 2, 3, 4, 5, 6, 7, 8),
+        'unseen': (1, 2, 3, 4, 5),
         'functions': (),
         'alone': False,
         'bodies': False,
@@ -84,3 +84,6 @@ METHODS = {
 
 #: The one from whose times all others start, and by which they are judged.
 FIRST = 'ck-tau'
+
+#: Highest class of functions that are polynomials on each phase.
+SMOOTHEST = 4

@@ -4,7 +4,6 @@ from types import ModuleType
 
 from .. import expansions
 from ..galerkin import polynomials
-from ..scene.smoothness import HIGHEST
 
 HEADER = '''"""The methods that every scene has: what tables, fits and pictures know of them.
 
@@ -33,7 +32,9 @@ def methods_source() -> str:
     return (
         f"{HEADER}{TABLE}METHODS = {{\n{rows}}}\n\n"
         f"#: The one from whose times all others start, and by which they are judged.\n"
-        f"FIRST = {first!r}\n"
+        f"FIRST = {first!r}\n\n"
+        f"#: Highest class of functions that are polynomials on each phase.\n"
+        f"SMOOTHEST = {polynomials.SMOOTHEST}\n"
     )
 
 
@@ -41,7 +42,7 @@ def _unseen(module: ModuleType) -> tuple[int, ...]:
     """Return the number of polynomials orthogonal to all tests, for each class of a switch."""
     if not hasattr(module, "rest"):
         return ()
-    return tuple(polynomials.reach(module.test, k) for k in range(HIGHEST))
+    return tuple(polynomials.reach(module.test, k) for k in range(polynomials.SMOOTHEST + 1))
 
 
 def _facts(module: ModuleType) -> str:

@@ -8,7 +8,7 @@ import sympy as sp
 from ..galerkin.closure import law
 from ..scene import Scene
 from ..scene.scales import scales
-from ..scene.smoothness import place
+from ..scene.smoothness import HIGHEST, place
 from ..system import Equation, line
 from . import bodies
 from .conditions.functions import T, state, t, x
@@ -112,6 +112,10 @@ def _jumps(notation: Notation, p: int) -> Iterator[Equation]:
 def _classes(notation: Notation) -> Iterator[Equation]:
     """Yield the class at each switch, and its map of small perturbations."""
     for p, switch in enumerate(notation.switches):
+        if switch.k == HIGHEST:
+            after, before = (state(2, notation.side(p, side)) for side in "+-")
+            yield line(f"no derivative jumps where {switch.before} begins", (after, before))
+            continue
         order = ORDINAL.get(switch.jumps, f"{switch.jumps}th")
         words = f"the motion is `C^{switch.k}` where {switch.before} begins: its {order} "
         yield line(f"{words}derivative jumps", jump(notation, p))

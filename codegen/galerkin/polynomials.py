@@ -11,6 +11,7 @@ is that of this combination: rows of few entries, whatever the test functions.
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from itertools import combinations, islice
 
 import sympy as sp
@@ -30,6 +31,9 @@ Rest = Callable[[sp.Expr, sp.Expr, int], sp.Expr]
 
 #: Highest degree up to which orthogonality to the tests is checked.
 CHECKED = 4
+
+#: Highest class of the trial functions.  Where nothing jumps, any class would do.
+SMOOTHEST = 4
 
 #: Degrees of the residual with terms of the state at the begin of the phase.
 STATE = 2
@@ -195,7 +199,8 @@ def derive(
     ValueError
         If `rest` is not orthogonal to the tests; see `check_rest`.
     """
-    times, cell_switches = Times.of(scene), switches(scene)
+    times = Times.of(scene)
+    cell_switches = tuple(replace(q, k=min(q.k, SMOOTHEST)) for q in switches(scene))
     for switch in cell_switches:
         check_rest(test, rest, switch.k)
     trial = series(scene, times, cell_switches)

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from .bodies.law import contact_class
+from .bodies.law import contact_class, form
 from .data import Phase, SceneData, once, v, x
 from .error import SceneError
 from .linear import fixed, linear_phase, state_row
@@ -54,7 +54,8 @@ class Switch:
 def switches(scene: SceneData) -> tuple[Switch, ...]:
     """Return the switches of a cell, that at the begin of the first phase first.
 
-    Between phases with different demands that hold the velocity alike, k is `HIGHEST`.
+    Between phases that move alike, k is `HIGHEST`: if they hold the velocity while different
+    demands hold, or if one demands what the other excludes.
 
     Raises
     ------
@@ -67,10 +68,11 @@ def switches(scene: SceneData) -> tuple[Switch, ...]:
         if k is None and left.name == right.name:
             words = "it follows itself, and nothing changes where it ends; is a phase missing?"
             raise SceneError(f"phase {right.name}: {words}")
-        if k is None and (right.held is None or right.demands == left.demands):
+        held = right.held is not None and right.demands != left.demands
+        if k is None and not held and not _opposed(scene, left, right, sign):
             raise SceneError(
                 f"phase {right.name}: its motion is that of {left.name}; nothing changes: make "
-                "them one phase, or list them in different `motions`"
+                "them one phase, or demand in one what the other excludes"
             )
         of_cell.append(Switch(left.name, right.name, HIGHEST if k is None else k))
     return tuple(of_cell)
@@ -96,6 +98,26 @@ def _sides(scene: SceneData) -> Iterator[tuple[Phase, Phase, int]]:
     for p, right in enumerate(scene.cell):
         left, sign = scene.before(p)
         yield scene.cell[left], right, sign
+
+
+def _opposed(scene: SceneData, left: Phase, right: Phase, sign: int) -> bool:
+    """Return whether a demand on one side of a switch is the opposite of one on the other."""
+
+    def rows(phase: Phase) -> list[sp.Matrix]:
+        return [sp.Matrix([form(q, scene, "demand")]) for q in phase.demands.values()]
+
+    def is_opposite(one: sp.Matrix, other: sp.Matrix) -> bool:
+        turned = sign * one
+        turned[3] = one[3]  # the constant
+        first = next((i for i, factor in enumerate(turned) if factor != 0), None)
+        if first is None:
+            return False
+        ratio = sp.cancel(other[first] / turned[first])
+        return bool(ratio.is_negative) and (other - ratio * turned).applyfunc(
+            sp.cancel
+        ).is_zero_matrix
+
+    return any(is_opposite(one, other) for one in rows(left) for other in rows(right))
 
 
 def generator(

@@ -14,7 +14,7 @@ from ..maps import together
 from ..scenes.arrays import arrays_of
 from ..scenes.case import Case
 from ..scenes.loaded import LoadedScene
-from ..scenes.methods import about, module_of, with_class_one
+from ..scenes.methods import SMOOTHEST, about, module_of, with_class_one
 from . import linking
 from .compiling import rebuilt
 from .family import Family
@@ -56,7 +56,8 @@ class Layout:
     @property
     def classes(self) -> tuple[int, ...]:
         """The k of the class C^k of the functions at the begin of each phase."""
-        return tuple(min(k, 1) if self.class_one else k for k in self.scene.classes)
+        most = 1 if self.class_one else SMOOTHEST
+        return tuple(min(k, most) for k in self.scene.classes)
 
     @cached_property
     def phases(self) -> tuple[tuple[str, bool, int, int], ...]:

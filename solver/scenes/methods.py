@@ -10,7 +10,7 @@ from ...generated import methods as generated
 from .loaded import LoadedScene
 
 #: The default method, and the facts that the files of all expansions state.
-FIRST, METHODS = generated.FIRST, generated.METHODS
+FIRST, METHODS, SMOOTHEST = generated.FIRST, generated.METHODS, generated.SMOOTHEST
 
 #: Name of the exact solution among those of methods.
 EXACT = "exact"

@@ -76,6 +76,19 @@ def alike(one: Phase, other: Phase) -> bool:
     )
 
 
+def opposed(one: Phase, other: Phase) -> bool:
+    """Return whether a demand of one phase is the opposite of a demand of another.
+
+    Phases of the same equation are then two: the motion passes from one into the other where
+    the demand vanishes.
+    """
+    return any(
+        same(a, b) and all(p * q <= 0 for p, q in zip(a, b, strict=True))
+        for _, a in one.demands
+        for _, b in other.demands
+    )
+
+
 def same_demand(one: Form, other: Form) -> bool:
     """Return whether two forms are nonnegative at the same states."""
     return same(one, other) and all(a * b >= 0 for a, b in zip(one, other, strict=True))

@@ -14,6 +14,7 @@ from .cell import Cell
 from .classes import HIGHEST, classes
 from .dimensionless import Units
 from .loaded import LoadedScene, UnknownScene
+from .mirror import mirror, opposed
 from .orders import Order, Step, image, in_cell, is_odd, memory_columns, settings
 from .parameter_error import ParameterError
 
@@ -189,7 +190,9 @@ class OrderedScene(LoadedScene):
         cell = replace(cell, classes=classes(cell))
         for p, k in enumerate(cell.classes):
             before, after = cell.phases[p - 1], cell.phases[p]
-            if k == HIGHEST and not (after.held and before.demands != after.demands):
+            before = mirror(before) if p == 0 and cell.sign < 0 else before
+            held = after.held and before.demands != after.demands
+            if k == HIGHEST and not held and not opposed(before, after):
                 raise UnknownScene(
                     f"phases: got {self.motion}, but nothing changes where {before.name} ends "
                     f"and {after.name} begins"

@@ -37,12 +37,12 @@ HIGHEST, OF_AN_EVENT = 4, 3
 def may_follow(machine: Machine, one: Step, other: Step) -> bool:
     """Whether a phase of a machine may begin where another ends by its event.
 
-    Either the equation or the velocity must change there.  And of each demand, the first
+    The equation, the velocity or a demand must change there.  And of each demand, the first
     derivative that does not vanish in every state just behind the event must not be a negative
     constant; nor may the demand be one that falls through zero at the event, and falls on.
     """
     before, after = machine.node(one), machine.node(other)
-    if not before.changes_velocity and before.law == after.law:
+    if not before.changes_velocity and before.goes_on_as(after):
         return False
     laws = said(machine.cell, machine.nodes, one)
     if laws and after.law not in laws:

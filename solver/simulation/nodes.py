@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from ..arrays import Matrix
 from ..scenes.cell import Cell, Form, Phase
-from ..scenes.mirror import mirror, same
+from ..scenes.mirror import mirror, opposed, same
 from ..scenes.orders import Step
 from .steps.column import NONE
 
@@ -56,6 +56,10 @@ class Node:
         forms = (form for _, form in self.phase.demands)
         sides = (next((q > 0 for q in form if q), True) for form in forms)
         return frozenset(zip(self.demands, sides, strict=True))
+
+    def goes_on_as(self, other: "Node") -> bool:
+        """Whether nothing changes where another phase begins: a demand may be its opposite."""
+        return self.law == other.law and not opposed(self.phase, other.phase)
 
     @property
     def jumps(self) -> bool:
@@ -106,7 +110,7 @@ class InState(NamedTuple):
 def ending(nodes: Sequence[Node], p: int, surface: int) -> int:
     """Return the phase of the same law whose event is a surface; `NONE` without one."""
     turn = (q for q in (p, *range(len(nodes))) if nodes[q].event == surface)
-    return next((q for q in turn if nodes[q].law == nodes[p].law), NONE)
+    return next((q for q in turn if nodes[p].goes_on_as(nodes[q])), NONE)
 
 
 def firsts(cell: Cell, nodes: Sequence[Node]) -> list[Step]:

@@ -70,8 +70,7 @@ def _goes_on(machine: Machine, one: Segment, two: Segment) -> bool:
     if one.step is None or any(memory.phase == two.index for memory in machine.cell.memory):
         return False
     node = machine.node(one.step)
-    equal = node.law == machine.node(two.began).law
-    return equal and not node.changes_velocity
+    return node.goes_on_as(machine.node(two.began)) and not node.changes_velocity
 
 
 def repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] | None:
