@@ -165,8 +165,8 @@ class LoadedScene:
 
     @property
     def classes(self) -> tuple[int, ...]:
-        """The k of the switch that begins each phase of its cell."""
-        return tuple(k for k, _ in self.module.SWITCHES)
+        """The k of the switch that begins each phase of its cell; none of several motions."""
+        return tuple(k for k, _ in getattr(self.module, "SWITCHES", ()))
 
     @property
     def class_at_start(self) -> dict[int, int]:
@@ -176,7 +176,7 @@ class LoadedScene:
     @property
     def default_classes(self) -> dict[int, int]:
         """The same for the default parameters."""
-        return dict(enumerate(self.module.CLASSES_OF_DEFAULTS))
+        return dict(enumerate(getattr(self.module, "CLASSES_OF_DEFAULTS", ())))
 
     @property
     def memory(self) -> tuple[tuple[str, Any, int, str], ...]:

@@ -161,6 +161,8 @@ def test_a_map_calls_an_order_as_it_is_called_where_a_simulation_settles(first) 
 
 def test_phases_of_any_motion_can_be_asked_for() -> None:
     case = TWO["springs"](frequency=0.8)
+    assert case.scene.classes == ()
+    assert case.scene.default_classes == {}
     every = all_phases(case.scene)
     assert every.phases == ("right", "free", "left", "free_2")
     meant = [q.scene.motion for q in cases_in_order(case, "right,free,left,free")]
