@@ -113,9 +113,10 @@ def _opposed(scene: SceneData, left: Phase, right: Phase, sign: int) -> bool:
         if first is None:
             return False
         ratio = sp.cancel(other[first] / turned[first])
-        return bool(ratio.is_negative) and (other - ratio * turned).applyfunc(
-            sp.cancel
-        ).is_zero_matrix
+        return (
+            bool(ratio.is_negative)
+            and (other - ratio * turned).applyfunc(sp.cancel).is_zero_matrix
+        )
 
     return any(is_opposite(one, other) for one in rows(left) for other in rows(right))
 

@@ -12,6 +12,7 @@ from functools import partial
 import numpy as np
 
 from ..arrays import Vector
+from ..bodies.laws import places
 from ..scenes.cell import Form
 from . import chebyshev
 from .condition import moved_times
@@ -137,8 +138,10 @@ def _is_still(orbit: Motion) -> bool:
     """Whether a motion without a forcing is a rest, at which all equations hold to rounding."""
     if orbit.cell.forced:
         return False
-    places = np.array([orbit.part(p, LOOK, 0) for p in range(len(orbit.cell.phases))])
-    return bool(np.ptp(places) <= NOTHING * np.abs(places).max())
+    phases = orbit.cell.phases
+    displacements = places(len(phases[0].jumps))[0]
+    found = np.hstack([orbit.signals(p, LOOK)[displacements] for p in range(len(phases))])
+    return bool(np.ptp(found, axis=1).max() <= NOTHING * np.abs(found).max())
 
 
 def seen_violated(orbit: Motion) -> int:

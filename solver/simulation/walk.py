@@ -18,6 +18,9 @@ from .steps.state import AnyState
 from .steps.step import CHATTERS, REFUSED, Passed
 from .steps.switches import has_rest
 
+#: The first word of what is said where switches accumulate.
+ACCUMULATE = "chatter"
+
 #: So many pairs of phases, each less than half as long as the one before, are chatter.
 PAIRS = 4
 
@@ -145,7 +148,7 @@ def _falls(durations: list[float]) -> bool:
 def _chatter(case: Case, last: Segment, s: float) -> str:
     """Return in words when the switches accumulate: a time `s` after the last phase begins."""
     return (
-        f"chatter: {last.phase.name} ends ever sooner, the switches accumulate at "
+        f"{ACCUMULATE}: {last.phase.name} ends ever sooner, the switches accumulate at "
         f"t = {float(last.t + Fraction(s)) * case.units.time:.9g} s, "
         "and the scene does not say what follows"
     )

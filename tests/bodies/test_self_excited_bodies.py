@@ -135,6 +135,46 @@ def test_a_mass_that_is_pressed_on_a_stop_rests(gap: float) -> None:
         ns.exact(ns.scene(made)(gap=gap, restitution=0.6))
 
 
+@pytest.mark.parametrize("first", ["still", "moves"])
+def test_a_body_moves_if_any_of_its_contacts_does(first: str) -> None:
+    """Two masses that nothing joins: one is at rest, the other drives itself against a stop."""
+    at = {"still": [1, 0], "moves": [0, 1]}
+    at = {first: at[first], **at}
+    body = Body(M=np.eye(2), C=np.diag([0.1, -0.1]), K=np.eye(2), at=at)
+    end, dashpot = body.at["moves"], sp.Symbol("c1", positive=True)
+    meets = Event(end.x - g)
+
+    def laws(force: sp.Expr) -> tuple[sp.Expr, ...]:
+        forces = {"still": 0, "moves": force}
+        return tuple(body.at[q].force + forces[q] for q in body.at)
+
+    pushes = k * (end.x - g) + dashpot * end.v
+    phases = (
+        Phase("touch", laws(pushes), meets, {"behind": end.x - g}),
+        Phase("free", laws(sp.Integer(0)), meets, {"before": g - end.x}),
+    )
+    own = (
+        GAP,
+        Parameter("stop", k, "N/m", STOP, "stiffness of the stop"),
+        Parameter("dashpot", dashpot, "N s/m", 0.5, "damping of the stop"),
+    )
+    scene = Scene(f"one-{first}", "", own, phases, body=body, scales={"length": g})
+    orbit = ns.solve(ns.scene(scene)(), order=14)
+    assert orbit.stable
+
+    def misses(state: np.ndarray) -> np.ndarray:
+        """Return how far a mass is from its start, after one phase in contact and one free."""
+        speed, touch, free = state
+        touches = np.array([[0, 1, 0], [-1 - STOP, -0.4, STOP], [0, 0, 0]])
+        moves = np.array([[0, 1, 0], [-1, 0.1, 0], [0, 0, 0]])
+        middle = expm(touch * touches) @ [1.0, speed, 1.0]
+        last = expm(free * moves) @ middle
+        return np.array([middle[0] - 1.0, last[0] - 1.0, last[1] - speed])
+
+    found = fsolve(misses, [1.0, *orbit.durations], xtol=1e-13)
+    assert orbit.durations == pytest.approx(found[1:], abs=1e-9)
+
+
 def test_a_stop_that_gives_energy() -> None:
     """By the flight of a damped mass: its root in closed form."""
     body = Body(M=[[1.0]], K=[[6.423153]], C=[[0.647723]], at={"end": [1]})

@@ -12,7 +12,7 @@ from ...arrays import Vector
 from ...scenes.orders import image
 from ...simulation.segment import Segment
 from ...simulation.steps.clock import at_start
-from ...simulation.walk import Place, walk
+from ...simulation.walk import ACCUMULATE, Place, walk
 from ..events.locate import Found
 from ..place import NoStepError
 from .candidate import Candidate, Slot
@@ -96,6 +96,6 @@ def told(event: Found, y: Vector) -> str:
     try:
         last, cell = motion_from(event, y, 4)[-1], event.piece.cell
     except NoStepError as error:
-        return "the switches accumulate" if str(error).startswith("chatter") else ""
+        return "the switches accumulate" if str(error).startswith(ACCUMULATE) else ""
     lasts = cell.forced and last.s >= 2 * cell.duration
     return f"the motion stays in {last.phase.name}" if lasts and last.phase.held else ""
