@@ -29,14 +29,16 @@ class LeftOut(NamedTuple):
         ``Phi`` of `Modal`.
     masses : ndarray, shape (n, m)
         ``M Phi``.
-    by_stiffness, by_damping : ndarray, shape (n, m)
-        ``K Phi`` and ``C Phi``, less the part within the shapes; that of a mode is zero for K.
+    by_stiffness, by_damping, damped_by : ndarray, shape (n, m)
+        ``K Phi``, ``C Phi`` and ``C^T Phi``, less the part within the shapes; that of a mode is
+        zero for K.  The last is how what is left out acts on the shapes.
     """
 
     shapes: Matrix
     masses: Matrix
     by_stiffness: Matrix
     by_damping: Matrix
+    damped_by: Matrix
 
 
 def left_out_of(matrices: Mapping[str, Any], shapes: Matrix, modes: int) -> LeftOut:
@@ -49,7 +51,10 @@ def left_out_of(matrices: Mapping[str, Any], shapes: Matrix, modes: int) -> Left
 
     by_stiffness = outside(matrices["K"])
     by_stiffness[:, :modes] = 0.0
-    return LeftOut(shapes, masses, by_stiffness, outside(matrices["C"]))
+    C = matrices["C"]
+    by_damping, turned = outside(C), C.T.tocsr()
+    damped_by = outside(turned) if (turned != C).nnz else by_damping
+    return LeftOut(shapes, masses, by_stiffness, by_damping, damped_by)
 
 
 def beyond_shapes(
@@ -79,8 +84,9 @@ def beyond_shapes(
     """
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
-    force, coupling = matrices["forcing"].toarray()[:, 0], left_out.by_stiffness.astype(complex)
-    coupling += 1j * omega * left_out.by_damping
+    force = matrices["forcing"].toarray()[:, 0]
+    coupling = left_out.by_stiffness + 1j * omega * left_out.by_damping
+    back = left_out.by_stiffness + 1j * omega * left_out.damped_by
     rest = force - left_out.masses @ forcing - coupling @ np.linalg.solve(rows, forcing)
     stiff, damping = (matrices["K"] - omega**2 * matrices["M"], -omega * matrices["C"])
     whole = sparse.block_array([[stiff, damping], [damping, -stiff]], format="csr")  # Re, Im
@@ -88,7 +94,7 @@ def beyond_shapes(
     real, imag = np.split(parts, 2)
     answer: Complex = real + 1j * imag
     direct: Complex = answer - left_out.shapes @ (left_out.masses.T @ answer)
-    inside = np.linalg.solve(rows, -coupling.T @ direct)
+    inside = np.linalg.solve(rows, -back.T @ direct)
     return direct, np.asarray(inside, dtype=complex)
 
 

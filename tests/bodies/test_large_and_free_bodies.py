@@ -121,6 +121,24 @@ def test_what_is_left_out_keeps_its_digits_at_the_resonance_of_a_mode(jumps: boo
     assert few.beyond[0] == pytest.approx(expected, rel=3e-14)
 
 
+@pytest.mark.parametrize("jumps", [False, True])
+@pytest.mark.parametrize("modes", [1, 3])
+def test_what_is_left_out_answers_where_a_rotor_turns(modes: int, jumps: bool) -> None:
+    """A gyroscopic C is not symmetric: the modes and the rest act on each other differently."""
+    n, omega = 6, 0.4
+    M, K = chain(n)
+    at, force = np.eye(n, 1), np.eye(n, 1, 1 - n)
+    turns = sparse.diags_array([0.6, -0.6], offsets=[1, -1], shape=(n, n))
+    given = {"M": M, "K": K, "at": sparse.csc_array(at), "forcing": sparse.csc_array(force)}
+    given["C"] = (0.05 * K + turns).tocsc()
+    few = modal.at_frequency(modal.modal(given, modes, 0.01, jumps), given, omega)
+    rows = np.diag(few.squares - omega**2) + 1j * omega * few.damping
+    retained = few.at[:, 0] @ np.linalg.solve(rows, few.forcing.astype(complex))
+    stiffness = (K - omega**2 * M + 1j * omega * given["C"]).toarray()
+    expected = (at.T @ np.linalg.solve(stiffness, force))[0, 0]
+    assert retained + few.beyond[0] == pytest.approx(expected, rel=1e-12)
+
+
 def test_the_orbit_of_a_large_body_is_that_of_a_small_one() -> None:
     """A rod of one length, mass and stiffness as masses, whose end moves by half of one."""
     times = []
