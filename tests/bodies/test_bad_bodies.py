@@ -130,6 +130,20 @@ def test_impacts_that_the_modes_kept_cannot_turn_are_refused() -> None:
     assert beam(modes=60, restitution=1e-3).cell.body.squares.size == 60
 
 
+def test_no_restitution_is_named_that_a_contact_cannot_have() -> None:
+    """A light mass at the end of a row, of which the slowest modes move little."""
+    K = 2 * np.eye(6) - np.eye(6, k=1) - np.eye(6, k=-1)
+    light = np.diag([1, 1, 1, 1, 1, 0.02])
+    body = Body(M=light, K=K, forcing=np.ones(6), at={"end": np.eye(6)[5]}, modes=2)
+    end = body.at["end"]
+    ends = Event(end.x - g, jump={end.v: -end.v / 2})
+    phase = Phase("flight", end.force, ends=ends, demands={"before": g - end.x})
+    own = parameters(gap=(g, "m", 0.1), frequency=(Omega, "rad/s", 0.3))
+    made = Scene("light-end", "", own, (phase,), frequency=Omega, body=body)
+    with pytest.raises(ParameterError, match=r"at 0\.72 of their velocity: keep more$"):
+        ns.simulate(ns.scene(made)())
+
+
 h = sp.Symbol("h", real=True)
 EYE = sp.eye(2)
 

@@ -150,10 +150,11 @@ def _check_jumps(cell: BodyCell) -> None:
         for (rho, _), goes_on in zip(phase.jumps, factors, strict=True):
             if rho <= 0 and goes_on > GOES_ON:
                 least = (1 - rho) / (1 - goes_on) - 1
+                back = f", or let the contact come back with more than {least:.2g} of it"
                 raise ParameterError([
                     f"body: behind the jump that ends {phase.name} the modes kept go on "
-                    f"as before, at {goes_on:.2g} of their velocity: keep more, or let "
-                    f"the contact come back with more than {least:.2g} of it"
+                    f"as before, at {goes_on:.2g} of their velocity: keep more"
+                    + (back if least < 1 else "")
                 ])  # fmt: skip
 
 
