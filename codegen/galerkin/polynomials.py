@@ -39,6 +39,11 @@ SMOOTHEST = 4
 STATE = 2
 
 
+def trial_switches(scene: Scene) -> tuple[Switch, ...]:
+    """Return the switches of a cell, each of the class that the trial functions have there."""
+    return tuple(replace(q, k=min(q.k, SMOOTHEST)) for q in switches(scene))
+
+
 def series(
     scene: Scene, times: Times, cell_switches: tuple[Switch, ...]
 ) -> tuple[PhaseSeries, ...]:
@@ -199,8 +204,7 @@ def derive(
     ValueError
         If `rest` is not orthogonal to the tests; see `check_rest`.
     """
-    times = Times.of(scene)
-    cell_switches = tuple(replace(q, k=min(q.k, SMOOTHEST)) for q in switches(scene))
+    times, cell_switches = Times.of(scene), trial_switches(scene)
     for switch in cell_switches:
         check_rest(test, rest, switch.k)
     trial = series(scene, times, cell_switches)

@@ -193,9 +193,17 @@ def test_where_nothing_jumps_functions_are_of_some_class(method, most) -> None:
 
 
 def test_the_printed_equations_say_where_nothing_jumps() -> None:
-    titles = [each.title for each in scene_equations(runpy.run_path(str(FILE))["SCENE"])]
+    """There the functions are of one class in all equations: tests, unknowns, continuity."""
+    scene = runpy.run_path(str(FILE))["SCENE"]
+    titles = [each.title for each in scene_equations(scene)]
     assert "no derivative jumps where off begins" in titles
     assert "the motion is `C^1` where cut begins: its second derivative jumps" in titles
+    derived = ns.equations("ck", scene).equations
+    titles = [each.title for each in derived]
+    assert "test function in off, `P_n` integrated 5 times from the switch" in titles
+    assert "what no test in off sees, of degree up to `N + 5`" in titles
+    assert "derivative 4 is continuous where off begins" in titles
+    assert "derivative 5 is continuous where off begins" not in titles
 
 
 def test_a_branch_passes_from_one_phase_into_the_other() -> None:

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...galerkin import Condition, GalerkinConditions, polynomials
 from ...galerkin.legendre import Moments, l, n, repeated_integral
-from ...galerkin.polynomials import Rest, Test, moments, series
+from ...galerkin.polynomials import Rest, Test, moments, series, trial_switches
 from ...scene import linear_phase
 from ...system import Equation, Inner, ShiftedLegendre, TwiceIntegrated, line
 from ..tidy import by_entries, by_unknown
@@ -34,7 +34,8 @@ class Polynomial(Family):
 
     def __init__(self, conditions: GalerkinConditions) -> None:
         super().__init__(conditions)
-        self.trial = series(conditions.scene, self.notation.times, self.notation.switches)
+        self.switches = trial_switches(conditions.scene)
+        self.trial = series(conditions.scene, self.notation.times, self.switches)
         self.moments = tuple(moments(conditions.scene, self.notation.times))
         name = conditions.method.replace("-", "_")
         expansion = import_module(f"...expansions.{name}", __package__)
@@ -68,7 +69,7 @@ class Polynomial(Family):
 
     def _number(self, name: str, p: int) -> str:
         """Return the equation number of the paper, if phase `p` is of class C^1 as there."""
-        return NUMBERS[name] if self.notation.switches[p].k == 1 else ""
+        return NUMBERS[name] if self.switches[p].k == 1 else ""
 
     def _expansion(self) -> Iterator[Equation]:
         for p, q in enumerate(self.trial):
@@ -125,7 +126,7 @@ class Polynomial(Family):
         yield line("inner product on a phase", (Inner(first, second), integral))
 
     def _tests(self) -> Iterator[Equation]:
-        for p, switch in enumerate(self.notation.switches):
+        for p, switch in enumerate(self.switches):
             weights = self.test(n, switch.k)
             if self.trial[p].acceleration is not None and len(weights) > 1:
                 name = self.scene.phases[p].name
@@ -138,7 +139,7 @@ class Polynomial(Family):
 
     def _left(self, p: int, rest: Rest) -> Iterator[Equation]:
         """Yield orthogonality to all tests of a phase, and the residual that it allows."""
-        phase, switch = self.scene.phases[p], self.notation.switches[p]
+        phase, switch = self.scene.phases[p], self.switches[p]
         name, rows = phase.name, polynomials.rows_of(self.trial[p], switch)
         tested = (Inner(R, member(f"W_{name}", l, u)), sp.Integer(0))
         where = f"`l = 0, ..., {rows - 1}`"
@@ -167,7 +168,7 @@ class Polynomial(Family):
         The latter apply only if the cell is a whole period and begins with class C^1.
         """
         numbers = dict(self.notation.numbers)
-        first_switch = self.notation.switches[0]
+        first_switch = self.switches[0]
         if first_switch.k == 1 and self.notation.times.sign == 1:
             numbers |= {f"{name}_{first_switch.before}": n for name, n in REPEATS.items()}
         return numbers
@@ -183,10 +184,10 @@ class Polynomial(Family):
         p = [phase.name for phase in self.scene.phases].index(name)
         degree = sp.Integer(index) if condition.index is None else condition.index
         if kind == "rest":
-            degree += polynomials.rows_of(self.trial[p], self.notation.switches[p])
+            degree += polynomials.rows_of(self.trial[p], self.switches[p])
         if self.rest is not None:
             return ((2 * degree + 1) * Inner(R - S, ShiftedLegendre(degree, u)),)
-        return (Inner(R, _combined(self.test(degree, self.notation.switches[p].k))),)
+        return (Inner(R, _combined(self.test(degree, self.switches[p].k))),)
 
 
 def _moment(phase_moments: Moments, turned: bool = False) -> Equation:
