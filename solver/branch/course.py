@@ -26,7 +26,7 @@ from .along import Along, Content, Interval, divided_phases, of_velocity, resolv
 from .orders.itinerary import Itinerary
 from .place import NoStepError
 from .walk import FAMILY
-from .watch import AT_SWITCH, BEHIND, START, WITHIN
+from .watch import AT_SWITCH, BEGINS, BEHIND, END, IS_END, START, WITHIN
 
 #: Size of a derivative at the start of a phase that is rounding, relative to the largest.
 ROUNDING = 1e-8
@@ -97,22 +97,27 @@ class Course(Itinerary):
         v = self.moving_at(self.case_of(cell, []), z, q, 0.0)[1]
         return v * (cell.sign if q == 0 else 1)
 
-    def word(self, row: Row, column: int, begins: int) -> str:
+    def word(self, row: Row, column: int, entry: Integers) -> str:
         """Return the kind of the event at which a watched form vanishes.
 
-        "sticking" where a rest begins or ends, else "grazing".
+        "sticking" where a rest begins or ends; "vanishing" where a demand is met at a speed in
+        the instant in which its phase begins or ends; else "grazing".
 
         column : int
             Of `watch`: where in the phase.
-        begins : int
-            Order of the first derivative of the form that is not identically zero at the start:
-            above 1, the phase begins without speed.
+        entry : ndarray of int
+            Its row in the table of `watch`.  If the form vanishes at the start whatever the
+            orbit, and its first derivative too, the phase begins without speed.
         """
         step = self.order.steps[row.phase]
         held, demands = self.base.kinds[step.phase][1], self._generic.phases[row.phase].demands
         without_speed = held or row.kind != WITHIN or of_velocity(demands[row.number][1])
-        without_speed = without_speed or (column == START and begins > 1)
-        return "sticking" if self.can_rest and without_speed else "grazing"
+        without_speed = without_speed or (column == START and entry[BEGINS] > 1)
+        if self.can_rest and without_speed:
+            return "sticking"
+        begins = column == START and not entry[BEGINS]
+        ends = column == END and not entry[IS_END]
+        return "vanishing" if row.kind == WITHIN and (begins or ends) else "grazing"
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows as `watch` takes them; `numbers` are without units.

@@ -206,9 +206,10 @@ def test_the_printed_equations_say_where_nothing_jumps() -> None:
     assert "derivative 5 is continuous where off begins" not in titles
 
 
-def test_a_branch_passes_from_one_phase_into_the_other() -> None:
-    """At its end the tool leaves the work as the tooth does: it is off and then out."""
-    branch = ns.branch(CUTS(), "frequency", 0.98, 1.01)
+@pytest.mark.parametrize("start", [0.99, 1.005])
+def test_a_branch_passes_from_one_phase_into_the_other(start) -> None:
+    """The tool comes back to the work as the tooth leaves it, at a speed: a cut vanishes."""
+    branch = ns.branch(CUTS(frequency=start), "frequency", 0.98, 1.01)
     assert branch.why_it_ended == ("the end of the range",) * 2
     (event,) = branch.events
     assert event.kind == "vanishing"

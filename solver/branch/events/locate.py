@@ -11,7 +11,6 @@ from ..along import of_velocity, returns
 from ..piece import Piece
 from ..place import NoStepError, Place
 from ..walk import FLIP, FOLD, MEETS, NEUTRAL, OUTSIDE, OWN
-from ..watch import BEGINS
 from .circle import first_leaving, multipliers
 from .root import ROUNDING, either_side, root
 
@@ -123,7 +122,7 @@ def change_at(piece: Piece, place: Place, i: int) -> Found:
     if p >= 0:
         return Found(_kind_of_vanishing(piece, p), p, None, piece, place, i)
     row, column = piece.rows[i // 3], i % 3
-    word = piece.course.word(row, column, int(piece.table[i // 3, BEGINS]))
+    word = piece.course.word(row, column, piece.table[i // 3])
     return Found(word, row.phase, column, piece, place, i)
 
 
