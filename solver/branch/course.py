@@ -110,14 +110,17 @@ class Course(Itinerary):
             orbit, and its first derivative too, the phase begins without speed.
         """
         step = self.order.steps[row.phase]
-        held, demands = self.base.kinds[step.phase][1], self._generic.phases[row.phase].demands
+        held, phases = self.base.kinds[step.phase][1], self._generic.phases
+        demands = phases[row.phase].demands
         without_speed = held or row.kind != WITHIN or of_velocity(demands[row.number][1])
         without_speed = without_speed or (column == START and entry[BEGINS] > 1)
         if self.can_rest and without_speed:
             return "sticking"
         begins = column == START and not entry[BEGINS]
         ends = column == END and not entry[IS_END]
-        return "vanishing" if row.kind == WITHIN and (begins or ends) else "grazing"
+        turns = of_velocity(phases[row.phase - (column == START)].event)
+        at_speed = row.kind == WITHIN and (begins or ends) and not turns
+        return "vanishing" if at_speed else "grazing"
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows as `watch` takes them; `numbers` are without units.
