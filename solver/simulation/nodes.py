@@ -58,7 +58,7 @@ class Node:
         return frozenset(zip(self.demands, sides, strict=True))
 
     def goes_on_as(self, other: "Node") -> bool:
-        """Whether nothing changes where another phase begins: a demand may be its opposite."""
+        """Whether nothing changes where another phase begins, no demand to its opposite."""
         return self.law == other.law and not opposed(self.phase, other.phase)
 
     @property

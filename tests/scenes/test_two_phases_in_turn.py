@@ -218,6 +218,31 @@ def test_a_branch_passes_from_one_phase_into_the_other(start) -> None:
         assert len(row.durations) == count or row.value == event.parameter
 
 
+@pytest.mark.parametrize("start", [-0.9, -0.75, -0.3])
+def test_a_phase_vanishes_from_either_side(start) -> None:
+    """Behind an edge a spring acts for half of the period; the edge is passed as it begins."""
+    F, Omega, edge = *sp.symbols("F Omega", positive=True), sp.Symbol("g", real=True)
+    law = m * a + c * v + k * x - F * forcing
+    ends = Event(forcing) | Event(x - edge)
+    phases = (
+        Phase("below", law, ends, {"on": forcing, "below": edge - x}),
+        Phase("above", law + k_1 * (x - edge), ends, {"on": forcing, "above": x - edge}),
+        Phase("off", law, Event(forcing), {"off": -forcing}),
+    )
+    known = parameters(
+        mass=(m, "kg", 1.0), damping=(c, "N s/m", 0.6), stiffness=(k, "N/m", 1.0),
+        spring=(k_1, "N/m", 0.5), edge=(edge, "m", start), force=(F, "N", 1.0),
+        frequency=(Omega, "rad/s", 1.3),
+    )  # fmt: skip
+    case = ns.scene(Scene("window", "a spring", known, phases, frequency=Omega))()
+    (event,) = ns.branch(case, "edge", -0.95, -0.2).events
+    assert event.kind == "vanishing"
+    beside = ns.exact(case.scene(edge=event.parameter + 1e-7))
+    (opens,) = [q for q in beside.phases if q.name.startswith("below")]
+    assert opens.displacement == pytest.approx(event.parameter, abs=1e-6)
+    assert opens.velocity < -0.1
+
+
 def test_a_structure_may_move_alike_in_two_phases() -> None:
     """Two masses that nothing joins: that of the tool moves as it does alone."""
     Omega = sp.Symbol("Omega", positive=True)
